@@ -115,7 +115,7 @@ pub use world::{Budget, Change, Eye, UnknownLevel, WantedRoom, World, WorldRoom}
 
 /// The types of the fields of [`LevelOptions`] and [`BakeOptions`].
 pub mod options {
-    pub use crate::batch::{Shard, Unplanned};
+    pub use crate::batch::{ChosenLevels, LevelList, PlannedLevel, Shard, Unplanned};
     pub use crate::cache::Cache;
     pub use crate::compact::Instancing;
     pub use crate::gltf::FlatNormals;

@@ -20,6 +20,7 @@ mod command_line {
     mod handbook;
     mod hostile_words;
     mod init;
+    mod level_lists;
     mod looks;
     mod output_folder;
     mod pinned;

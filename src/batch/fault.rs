@@ -34,6 +34,8 @@ pub enum FaultCode {
     WriteFailed,
     /// A merge of a folder that no bake has written into.
     NothingToJoin,
+    /// Levels that were chosen are not in the plan, or are made from other inputs.
+    OtherLevels,
     /// The level does not fit into the format.
     TooLarge,
     /// The system starts no more threads.
@@ -55,6 +57,7 @@ impl FaultCode {
             Self::ForeignFile => "foreign_file",
             Self::WriteFailed => "write_failed",
             Self::NothingToJoin => "nothing_to_join",
+            Self::OtherLevels => "other_levels",
             Self::TooLarge => "too_large",
             Self::NoThreads => "no_threads",
             Self::RoomBroken => "room_broken",

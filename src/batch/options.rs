@@ -1,5 +1,6 @@
 //! The options of a bake.
 
+use super::level_list::ChosenLevels;
 use crate::cache::Cache;
 use crate::output::{IndexOptions, LevelOptions};
 
@@ -14,6 +15,8 @@ pub struct BakeOptions {
     pub threads: usize,
     /// The share of the levels to bake; default all.
     pub shard: Option<Shard>,
+    /// The levels of the share by name; default those that are dealt to it. The share then ends as a part of the manifest.
+    pub only_levels: Option<ChosenLevels>,
     /// The treatment of levels in the output folder that the plan does not have; default listed apart.
     pub unplanned: Unplanned,
     /// Where textured surfaces are kept between runs; default nowhere.
@@ -27,6 +30,7 @@ impl Default for BakeOptions {
             index: IndexOptions::default(),
             threads: 1,
             shard: None,
+            only_levels: None,
             unplanned: Unplanned::default(),
             cache: None,
         }

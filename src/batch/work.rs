@@ -48,7 +48,7 @@ pub struct BakeInput<'a> {
 /// the number of threads or the order of the plan's buildings.
 ///
 /// # Errors
-/// If the threads cannot be started.
+/// If the threads cannot be started, or the plan lacks levels that were chosen by name.
 pub fn bake(
     input: &BakeInput<'_>,
     folder: &OutputFolder,
@@ -91,8 +91,8 @@ pub(super) fn write_all<'a, T: Task>(
 ) -> Result<BakeReport, OutputFault> {
     // The levels of this share; those that are up to date are kept.
     let &Run { options, folder, observer } = run;
-    let is_ours = |index: usize| options.shard.is_none_or(|shard| shard.takes(index));
-    let share = jobs.iter().enumerate().filter(|(index, _)| is_ours(*index)).map(|(_, job)| job);
+    let is_ours = share_of(jobs, options)?;
+    let share = jobs.iter().zip(is_ours).filter(|(_, is_ours)| *is_ours).map(|(job, _)| job);
     let (kept, open): (Vec<&T>, Vec<&T>) = share.partition(|job| folder.is_current(*job));
     let rooms = open.iter().map(|job| job.room_count()).sum();
     observer(&Event::Started { levels: open.len(), rooms, kept: kept.len() });
@@ -109,7 +109,9 @@ pub(super) fn write_all<'a, T: Task>(
             shard: options.shard,
             unplanned: options.unplanned,
             index: &|levels| context.output.index(levels, &options.index),
-            is_whole: &|contents| jobs.iter().all(|job| is_recorded(contents, job)),
+            is_whole: &|contents| {
+                options.only_levels.is_none() && jobs.iter().all(|job| is_recorded(contents, job))
+            },
         })
         .map_or_else(|fault| (Err(fault), Leftovers::default()), |(joined, found)| (Ok(joined), found));
     let mut in_place = tally.totals.clone();
@@ -128,6 +130,13 @@ pub(super) fn write_all<'a, T: Task>(
         joined,
         leftovers,
     })
+}
+
+/// Whether each job is one of this share.
+fn share_of<T: Task>(jobs: &[T], options: &BakeOptions) -> Result<Vec<bool>, OutputFault> {
+    let is_dealt = |index: usize| options.shard.is_none_or(|shard| shard.takes(index));
+    let dealt = || Ok((0..jobs.len()).map(is_dealt).collect());
+    options.only_levels.as_ref().map_or_else(dealt, |chosen| chosen.among(jobs))
 }
 
 /// The work of all threads so far. Sums only: the order in which levels finish leaves no trace.

@@ -12,6 +12,8 @@ use super::plan::{PlanAnswer, ReportFile};
 #[cfg(test)]
 use super::walk::WalkAnswer;
 use crate::audit::AuditSummary;
+#[cfg(test)]
+use crate::batch::LevelList;
 use crate::batch::Totals;
 use crate::catalog::Side;
 use crate::contract::{ElementId, FindingExtras};
@@ -234,13 +236,13 @@ pub(crate) struct EditsAnswer<'a> {
 /// `merge`.
 #[derive(Serialize, JsonSchema)]
 pub(crate) struct MergeAnswer {
-    /// The manifest.
-    pub(crate) manifest: String,
+    /// The manifest; none where parts are missing or contradict each other.
+    pub(crate) manifest: Option<String>,
     /// Sums over all levels.
     pub(crate) totals: Totals,
     /// Bakes that are still at work in the folder.
     pub(crate) living_runs: usize,
-    /// Records that were left out.
+    /// Records that were left out; with `--records`, missing parts and levels, and contradictions.
     pub(crate) rejected_records: Vec<FaultAnswer>,
 }
 
@@ -375,6 +377,7 @@ pub(crate) struct CatalogFilesAnswer {
 pub(crate) fn answer_schemas() -> Vec<(&'static str, schemars::Schema)> {
     vec![
         ("audit", schemars::schema_for!(AuditAnswer<'_>)),
+        ("bake-list-levels", schemars::schema_for!(LevelList)),
         ("bake-progress", schemars::schema_for!(ProgressLine)),
         ("bake", schemars::schema_for!(BakeAnswer)),
         ("catalog-docs", schemars::schema_for!(CatalogFilesAnswer)),

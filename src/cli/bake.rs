@@ -15,10 +15,10 @@ use super::room_styles::check_room_styles;
 use super::screen::Screen;
 use super::sources::{read_sources, run_style};
 use super::summary::{bake_answer, failure_text, summary_text, timing_text, where_to_look};
-use super::watch::watch;
+use super::watch::{Inputs, watch};
 use crate::batch::{
-    BakeInput, BakeOptions, BakeReport, LevelMisfit, Observer, OutputFault, OutputFolder, PROGRAM, Unplanned,
-    bake, record_plans,
+    BakeInput, BakeOptions, BakeReport, ChosenLevels, LevelList, LevelMisfit, Observer, OutputFault,
+    OutputFolder, PROGRAM, Unplanned, bake, record_plans,
 };
 use crate::cache::Cache;
 use crate::document::{Fault, Faults, counted};
@@ -112,6 +112,9 @@ pub(super) fn check_folder(out: &Path, screen: Screen) -> Result<(), Outcome> {
 
 /// Writes levels: the work of `bake` and `tiles`.
 pub(super) fn write_levels(request: Request, screen: Screen) -> Outcome {
+    if request.run.list_levels {
+        return list_levels(request, screen);
+    }
     if let Err(outcome) = check_folder(&request.out, screen) {
         return outcome;
     }
@@ -133,6 +136,31 @@ pub(super) fn write_levels(request: Request, screen: Screen) -> Outcome {
     }
 }
 
+/// Lists the levels that would be written.
+fn list_levels(request: Request, screen: Screen) -> Outcome {
+    let typed = request.run.sources.clone();
+    let run = match understand(request, screen) {
+        Ok(run) => run,
+        Err(outcome) => return outcome,
+    };
+    let Project { plan, edits, catalog, models, faults, .. } = &run.sources;
+    // The demo's plans are gone when the program ends.
+    let is_read = !run.teller.is_demo;
+    let sources = is_read.then(|| Inputs::of_reading(&typed, Ok((plan, faults))).found());
+    let input = BakeInput { plan, edits, catalog, models, options: &run.options };
+    let list = LevelList::of(&input, sources.unwrap_or_default());
+    if screen.is_json {
+        screen.json(&list);
+    } else {
+        for level in &list.levels {
+            let rooms: Vec<String> =
+                level.rooms.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
+            screen.result(&format!("{}/{}: {}", level.building, level.level, rooms.join(", ")));
+        }
+    }
+    Outcome::of_failures(run.teller.has_input_faults)
+}
+
 /// A fault if the output folder has the name of a file that users may expect instead.
 fn file_as_folder(out: &Path) -> Option<Fault> {
     let ending = out.extension()?.to_str()?.to_ascii_lowercase();
@@ -148,24 +176,24 @@ fn file_as_folder(out: &Path) -> Option<Fault> {
 /// From what was typed to what it means.
 fn understand(request: Request, screen: Screen) -> Result<Run, Outcome> {
     let Request { run: arguments, out, level, index } = request;
+    let refused = |faults: Faults| {
+        screen.faults(&faults);
+        Outcome::NotStarted
+    };
+    let chosen = |file: PathBuf| LevelList::read(&file).map(|list| ChosenLevels { file, list });
+    let only_levels = arguments.only_levels.clone().map(chosen).transpose().map_err(refused)?;
     let is_demo = arguments.sources.paths.is_empty();
     let read = read_sources(&arguments.sources.seeded(arguments.furnish.seed)).and_then(|sources| {
         let style = run_style(arguments.furnish.style.as_ref(), &sources)?;
         Ok((sources, style))
     });
-    let (mut sources, style) = read.map_err(|faults| {
-        screen.faults(&faults);
-        Outcome::NotStarted
-    })?;
+    let (mut sources, style) = read.map_err(refused)?;
     let style_faults = check_room_styles(&sources.plan, &sources.catalog);
     sources.faults.merge(style_faults);
     screen.faults(&sources.faults);
     let seed = arguments.furnish.seed.or(sources.settings.seed).unwrap_or(DEFAULT_SEED);
     for room in &arguments.reroll {
-        let rolled = reroll(&sources.plan, &mut sources.edits, seed, room, "--reroll").map_err(|faults| {
-            screen.faults(&faults);
-            Outcome::NotStarted
-        })?;
+        let rolled = reroll(&sources.plan, &mut sources.edits, seed, room, "--reroll").map_err(refused)?;
         screen.note(&rolled.to_string());
     }
     let cache_root = cache_root(arguments.cache.clone());
@@ -177,6 +205,7 @@ fn understand(request: Request, screen: Screen) -> Result<Run, Outcome> {
         index: IndexOptions { origin, ..index },
         threads: threads(arguments.threads),
         shard: arguments.shard,
+        only_levels,
         unplanned: unplanned(arguments.prune, &sources.faults, screen),
         cache,
     };

@@ -87,6 +87,7 @@ fn write_bake(request: Request, screen: Screen) -> Outcome {
         index,
         threads: threads(run.threads),
         shard: run.shard,
+        only_levels: None,
         unplanned: if run.prune { Unplanned::Removed } else { Unplanned::SetApart },
         cache: None,
     };
@@ -115,6 +116,8 @@ fn inapplicable(run: &RunArguments) -> Option<Fault> {
         ("--reroll", !run.reroll.is_empty()),
         ("--edits", !run.sources.edits.files.is_empty()),
         ("--door-angle", run.door_angle.is_some()),
+        ("--list-levels", run.list_levels),
+        ("--only-levels", run.only_levels.is_some()),
     ];
     let (option, _) = asked.into_iter().find(|(_, is_asked)| *is_asked)?;
     let message = format!("is a finished bake, which is written as it is: {option} does not apply");

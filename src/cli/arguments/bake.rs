@@ -43,6 +43,13 @@ pub(crate) struct RunArguments {
     /// Bake share I of N, so that N machines can split the work; then join their records with `merge`.
     #[arg(long, value_name = "I/N", value_parser = parse_shard)]
     pub(crate) shard: Option<Shard>,
+    /// Bake the levels of this list as share I of N, whatever else would be dealt to it. The list is what --list-levels --json
+    /// prints, or a part of it.
+    #[arg(long, value_name = "FILE", requires = "shard")]
+    pub(crate) only_levels: Option<PathBuf>,
+    /// List the levels with their rooms by type and the hash of their inputs; bake nothing. With --json as one document.
+    #[arg(long, conflicts_with_all = ["shard", "only_levels"])]
+    pub(crate) list_levels: bool,
     /// How to show progress on stderr.
     #[arg(long, value_enum, default_value = "auto")]
     pub(crate) progress: ProgressWord,

@@ -31,9 +31,13 @@ pub(crate) struct MergeArguments {
     #[arg(value_name = "DIR", default_value = "out")]
     pub(crate) folder: PathBuf,
     /// Join the parts manifest.<I>-of-<N>.json in this folder and in the folders in it, without looking for the files of the
-    /// levels, which lie elsewhere. All parts of one division must be there.
+    /// levels, which lie elsewhere. All parts of one division must be there, and must not contradict each other.
     #[arg(long, value_name = "DIR", conflicts_with = "folder")]
     pub(crate) records: Option<PathBuf>,
+    /// The levels that the plans have, as `bake --list-levels --json` prints them. Levels that no part has are
+    /// reported, as are levels of other inputs.
+    #[arg(long, value_name = "FILE", requires = "records")]
+    pub(crate) levels: Option<PathBuf>,
     /// File to write the joined records into [default: manifest.json in the folder of --records].
     #[arg(long, value_name = "FILE", requires = "records")]
     pub(crate) out: Option<PathBuf>,

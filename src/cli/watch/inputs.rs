@@ -84,6 +84,11 @@ impl Inputs {
         self.trees.extend(real(path));
     }
 
+    /// The files and folders that are there.
+    pub(crate) fn found(&self) -> Vec<PathBuf> {
+        self.files.union(&self.trees).filter(|path| path.exists()).cloned().collect()
+    }
+
     pub(super) fn is_empty(&self) -> bool {
         self.folders().is_empty()
     }
