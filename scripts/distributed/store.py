@@ -1,0 +1,204 @@
+"""Where results go: a folder, or a store of objects that fsspec names (s3://, gs://, az://).
+
+Stores answer some requests with an error, and a machine may die during any of them. So every request is repeated, and every
+file that was written is measured there. Two writers of one name write the same bytes, so that the order does not matter.
+"""
+
+from __future__ import annotations
+
+import os
+import random
+import secrets
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple, TypeVar
+
+from .failure import Failure
+
+Answer = TypeVar("Answer")
+
+# One request in twenty may fail: that all of so many do happens once in 10^10 requests.
+ATTEMPTS = 8
+# Seconds before the second attempt; each further pause is twice as long, up to the longest.
+FIRST_PAUSE = 0.2
+LONGEST_PAUSE = 10.0
+
+
+class Found(NamedTuple):
+    """A file of the store."""
+
+    name: str
+    size: int
+    written: float
+
+
+def repeated(action: Callable[[], Answer]) -> Answer:
+    """The answer of a request that may fail for a while."""
+    for attempt in range(1, ATTEMPTS + 1):
+        try:
+            return action()
+        except FileNotFoundError:
+            raise
+        # Each library of a store has errors of its own.
+        except Exception as error:
+            if attempt == ATTEMPTS:
+                raise Failure(f"the store failed {ATTEMPTS} times: {type(error).__name__}: {error}") from error
+            # Machines that failed together do not come back together.
+            time.sleep(min(LONGEST_PAUSE, FIRST_PAUSE * 2 ** (attempt - 1)) * random.uniform(0.5, 1.5))
+    raise AssertionError("the last attempt returns or raises")
+
+
+class Store:
+    """Files by names with `/`; the requests that a kind of store must answer are at the end."""
+
+    def read(self, name: str) -> bytes | None:
+        """The content of a file; None if there is none."""
+        try:
+            return repeated(lambda: self._read(name))
+        except FileNotFoundError:
+            return None
+
+    def size(self, name: str) -> int | None:
+        """The length of a file; None if there is none."""
+        try:
+            return repeated(lambda: self._size(name))
+        except FileNotFoundError:
+            return None
+
+    def write(self, name: str, content: bytes) -> None:
+        """Writes a file, whole or not at all."""
+        repeated(lambda: self._checked(name, len(content), lambda: self._write(name, content)))
+
+    def put(self, path: Path, name: str) -> None:
+        """Writes a file of this machine."""
+        repeated(lambda: self._checked(name, path.stat().st_size, lambda: self._put(path, name)))
+
+    def create(self, name: str, content: bytes) -> bytes:
+        """Writes a file unless there is one. The content that is there afterwards: this, or that of another writer."""
+        def once() -> bytes:
+            try:
+                self._create(name, content)
+            except FileExistsError:
+                pass
+            return self._read(name)
+        return repeated(once)
+
+    def list(self, folder: str) -> list[Found]:
+        """The files in a folder, by name."""
+        try:
+            return sorted(repeated(lambda: self._list(folder)))
+        except FileNotFoundError:
+            return []
+
+    def _checked(self, name: str, size: int, action: Callable[[], None]) -> None:
+        action()
+        try:
+            found = self._size(name)
+        except FileNotFoundError:
+            found = None
+        if found != size:
+            raise OSError(f"{name} has {found} bytes in the store instead of {size}")
+
+
+class Folder(Store):
+    """A folder that all machines see, or the only machine."""
+
+    def __init__(self, root: Path):
+        self.root = root
+
+    def _path(self, name: str) -> Path:
+        return self.root / name
+
+    def _read(self, name: str) -> bytes:
+        return self._path(name).read_bytes()
+
+    def _size(self, name: str) -> int:
+        return self._path(name).stat().st_size
+
+    def _temporary(self, name: str) -> Path:
+        path = self._path(name)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        return path.with_name(f".{path.name[:100]}.{secrets.token_hex(8)}")
+
+    def _write(self, name: str, content: bytes) -> None:
+        temporary = self._temporary(name)
+        temporary.write_bytes(content)
+        os.replace(temporary, self._path(name))
+
+    def _put(self, path: Path, name: str) -> None:
+        temporary = self._temporary(name)
+        with path.open("rb") as source, temporary.open("wb") as target:
+            while block := source.read(1 << 20):
+                target.write(block)
+        os.replace(temporary, self._path(name))
+
+    def _create(self, name: str, content: bytes) -> None:
+        temporary = self._temporary(name)
+        temporary.write_bytes(content)
+        try:
+            # A link is made only where nothing is; to replace would take another writer's place.
+            os.link(temporary, self._path(name))
+        finally:
+            temporary.unlink()
+
+    def _list(self, folder: str) -> list[Found]:
+        found = []
+        for entry in os.scandir(self._path(folder)):
+            if entry.is_file() and not entry.name.startswith("."):
+                status = entry.stat()
+                found.append(Found(f"{folder}/{entry.name}", status.st_size, status.st_mtime))
+        return found
+
+
+class Objects(Store):
+    """A store that fsspec reads and writes."""
+
+    def __init__(self, url: str):
+        try:
+            import fsspec
+            self.system, self.root = fsspec.core.url_to_fs(url.rstrip("/"))
+        except (ImportError, ValueError) as error:
+            raise Failure(f"{url} needs a module that is not there ({error}):\n"
+                          "  python -m pip install -r scripts/requirements-cluster.txt") from error
+        # Listings that are kept would hide what other machines wrote.
+        self.system.use_listings_cache = False
+
+    def _path(self, name: str) -> str:
+        return f"{self.root}/{name}"
+
+    def _fresh(self) -> None:
+        self.system.invalidate_cache()
+
+    def _read(self, name: str) -> bytes:
+        return self.system.cat_file(self._path(name))
+
+    def _size(self, name: str) -> int:
+        self._fresh()
+        return self.system.info(self._path(name))["size"]
+
+    def _write(self, name: str, content: bytes) -> None:
+        self.system.pipe_file(self._path(name), content)
+
+    def _put(self, path: Path, name: str) -> None:
+        self.system.put_file(str(path), self._path(name))
+
+    def _create(self, name: str, content: bytes) -> None:
+        self.system.pipe_file(self._path(name), content, mode="create")
+
+    def _list(self, folder: str) -> list[Found]:
+        self._fresh()
+        found = []
+        for entry in self.system.ls(self._path(folder), detail=True):
+            if entry["type"] == "file":
+                written = entry.get("LastModified") or entry.get("updated") or entry.get("mtime") or 0.0
+                seconds = written.timestamp() if hasattr(written, "timestamp") else float(written)
+                found.append(Found(f"{folder}/{entry['name'].rsplit('/', 1)[-1]}", entry["size"], seconds))
+        return found
+
+
+def open_store(url: str) -> Store:
+    """The store of a URL, or a folder."""
+    if "://" not in url or url.startswith("file://"):
+        return Folder(Path(url.removeprefix("file://")).resolve())
+    return Objects(url)
