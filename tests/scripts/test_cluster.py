@@ -1,0 +1,304 @@
+"""cluster.py ends with the bytes of one bake, whatever happened on the way."""
+
+from __future__ import annotations
+
+import hashlib
+import importlib.util
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+
+from distributed import job as jobs
+from distributed.failure import Failure
+from distributed.inputs import pack
+from distributed.sizing import Cost, unit_count
+from distributed.store import Folder, repeated
+
+SCRIPT = ROOT / "scripts" / "cluster.py"
+TEMPLATES = ROOT / "docs" / "cluster"
+PROGRAM = os.environ.get("ROOMWRIGHT_PROGRAM") or shutil.which("roomwright") or str(ROOT / "target/release/roomwright")
+OPTIONS = ["--textures", "none"]
+UNITS = 5
+PLAN = """version: 1
+id: {id}
+walls: {{exterior: 0.3, interior: 0.1}}
+levels:
+  - id: "{{n}}"
+    number: 1
+    repeat: 4
+    height: 3
+    rooms:
+      - {{id: bed, type: bedroom, rectangle: [0, 0, 4, 4]}}
+      - {{id: study, type: study, rectangle: [4.1, 0, 4, 4]}}
+    openings:
+      - {{kind: door, at: [4.05, 2], rooms: [bed, study]}}
+      - {{kind: window, at: [2, 0], width: 1.2}}
+"""
+needs_program = pytest.mark.skipif(not Path(PROGRAM).is_file(), reason=f"there is no program {PROGRAM}")
+
+
+def lacks(*modules: str) -> list[str]:
+    return [module for module in modules if importlib.util.find_spec(module) is None]
+
+
+class City:
+    """Plans of two buildings, a place for results, and what one bake makes of the plans."""
+
+    def __init__(self, folder: Path):
+        self.folder, self.plans, self.store = folder, folder / "plans", folder / "store"
+        self.plans.mkdir()
+        for name in ("alpha", "beta"):
+            (self.plans / f"{name}.yaml").write_text(PLAN.format(id=name), encoding="utf-8")
+        self.environment = {**os.environ, "ROOMWRIGHT_PROGRAM": PROGRAM, "ROOMWRIGHT_CACHE": "none",
+                            "ROOMWRIGHT_CLUSTER_FOLDER": str(folder / "node")}
+        subprocess.run([PROGRAM, "bake", self.plans, "--out", folder / "whole", "--quiet", *OPTIONS], check=True,
+                       env=self.environment)
+
+    def run(self, *arguments: object, code: int = 0, **variables: str) -> subprocess.CompletedProcess:
+        command = [sys.executable, str(SCRIPT), *map(str, arguments)]
+        done = subprocess.run(command, env={**self.environment, **variables}, capture_output=True, text=True)
+        assert done.returncode == code, done.stdout + done.stderr
+        return done
+
+    def bake(self, *arguments: object, to: object = None, options=OPTIONS, **named) -> subprocess.CompletedProcess:
+        return self.run("bake", self.plans, "--to", to or self.store, "--units", UNITS, *arguments, "--", *options, **named)
+
+    def prepare(self) -> int:
+        done = self.run("prepare", self.plans, "--to", self.store, "--units", UNITS, "--", *OPTIONS)
+        return int(done.stdout)
+
+    def assert_is_whole(self) -> None:
+        assert contents(self.store) == contents(self.folder / "whole")
+
+
+def contents(folder: Path) -> dict[str, str]:
+    """The hash of every file that is not in a corner of its own."""
+    paths = (path for path in folder.rglob("*") if path.is_file())
+    named = {path.relative_to(folder).as_posix(): path for path in paths}
+    return {name: hashlib.sha256(path.read_bytes()).hexdigest() for name, path in named.items() if name[0] != "."}
+
+
+@pytest.fixture
+def city(tmp_path) -> City:
+    return City(tmp_path)
+
+
+@needs_program
+def test_units_in_local_processes_end_with_the_bytes_of_one_bake(city):
+    first = city.bake()
+    assert f"{UNITS} units baked, 0 kept, 0 failed" in first.stdout
+    city.assert_is_whole()
+    again = city.bake()
+    assert f"0 units baked, {UNITS} kept" in again.stdout
+    city.assert_is_whole()
+    assert f"{UNITS} of {UNITS} units done" in city.run("status", city.store).stdout
+
+
+@needs_program
+def test_the_number_of_units_follows_from_measured_cost(city):
+    done = city.run("bake", city.plans, "--to", city.store, "--", *OPTIONS)
+    assert re.search(r"16 rooms on 8 levels at [\d.]+ ms .*: [1-8] units", done.stderr)
+    city.assert_is_whole()
+
+
+@needs_program
+def test_a_new_driver_does_what_is_missing(city):
+    city.prepare()
+    for unit in (2, 4):
+        city.run("unit", city.store, unit)
+    assert f"2 of {UNITS} units done" in city.run("status", city.store).stdout
+    assert "lacks 3 of 5 parts: 1, 3, 5" in city.run("merge", city.store, code=2).stderr
+    assert "3 units baked, 2 kept" in city.bake().stdout
+    city.assert_is_whole()
+
+
+@needs_program
+def test_a_unit_killed_before_its_record_is_done_again(city):
+    city.bake()
+    # As a kill between the first file and the record leaves it: one level missing, one cut short, no record, no manifest.
+    (city.store / "alpha" / "1.glb").unlink()
+    (city.store / "alpha" / "2.glb").write_bytes(b"glTF")
+    for unit in (1, 2):
+        (city.store / jobs.RECORDS / f"manifest.{unit}-of-{UNITS}.json").unlink()
+    (city.store / "manifest.json").unlink()
+    assert "2 units baked, 3 kept" in city.bake().stdout
+    city.assert_is_whole()
+
+
+def failing_program(folder: Path, body: str) -> Path:
+    """A program that fails where `body` says, and goes on as the true one."""
+    path = folder / "program.sh"
+    path.write_text(f'#!/bin/sh\n{body}\nexec "{PROGRAM}" "$@"\n', encoding="utf-8")
+    path.chmod(0o755)
+    return path
+
+
+@needs_program
+def test_a_bake_that_is_killed_is_repeated(city):
+    mark = city.folder / "mark"
+    killed = failing_program(city.folder, f'case "$*" in *"--shard 3/"*) mkdir "{mark}" 2>/dev/null && kill -9 $$;; esac')
+    done = city.bake("--program", killed)
+    assert "1 attempts repeated" in done.stdout
+    city.assert_is_whole()
+    errors = [json.loads(path.read_text()) for path in (city.store / jobs.ERRORS).iterdir()]
+    assert [(error["unit"], error["code"]) for error in errors] == [(3, -9)]
+
+
+@needs_program
+def test_a_unit_that_always_fails_stops_no_other_and_leaves_no_manifest(city):
+    broken = failing_program(city.folder, 'case "$*" in *"--shard 3/"*) echo "no luck" >&2; exit 2;; esac')
+    done = city.bake("--program", broken, code=1)
+    assert "4 units baked, 0 kept, 1 failed" in done.stdout and "no luck" in done.stdout
+    assert not (city.store / "manifest.json").exists()
+    assert "1 failed" not in city.run("status", city.store).stdout
+
+
+@needs_program
+def test_another_job_in_the_same_place_is_refused(city):
+    city.bake()
+    refused = city.bake(options=[*OPTIONS, "--seed", "2"], code=2)
+    assert "the options of bake" in refused.stderr
+    plan = city.plans / "alpha.yaml"
+    plan.write_text(plan.read_text().replace("height: 3", "height: 3.1"))
+    assert "the plans or the configuration" in city.bake(code=2).stderr
+    assert "--out" in city.bake(options=["--out", "x"], code=2).stderr
+    assert contents(city.store) == contents(city.folder / "whole")
+
+
+def test_a_store_that_fails_for_a_while_is_asked_again(monkeypatch, tmp_path):
+    monkeypatch.setattr("distributed.store.FIRST_PAUSE", 0.0)
+    answers = iter([OSError("slow down"), OSError("slow down"), b"content"])
+
+    def ask():
+        answer = next(answers)
+        if isinstance(answer, Exception):
+            raise answer
+        return answer
+
+    assert repeated(ask) == b"content"
+
+    def refuse():
+        raise OSError("slow down")
+
+    with pytest.raises(Failure, match="slow down"):
+        repeated(refuse)
+
+
+def test_a_file_that_arrives_cut_short_is_sent_again(monkeypatch, tmp_path):
+    monkeypatch.setattr("distributed.store.FIRST_PAUSE", 0.0)
+    store = Folder(tmp_path)
+    write, sent = store._write, []
+    store._write = lambda name, content: (sent.append(name), write(name, content[: 2 if len(sent) == 1 else None]))
+    store.write("a/b.glb", b"content")
+    assert sent == ["a/b.glb"] * 2 and store.read("a/b.glb") == b"content"
+
+
+def test_only_the_first_of_two_drivers_creates_a_job(tmp_path):
+    store = Folder(tmp_path)
+    assert store.create("job.json", b"one") == b"one"
+    assert store.create("job.json", b"two") == b"one"
+
+
+def test_the_archive_of_plans_depends_on_their_content_only(tmp_path):
+    for name in ("one", "two"):
+        (tmp_path / name / "plans").mkdir(parents=True)
+        (tmp_path / name / "plans" / "a.yaml").write_text("levels: []")
+    os.utime(tmp_path / "one" / "plans" / "a.yaml", (1, 1))
+    one, two = (pack([str(tmp_path / name / "plans")], [], [], []) for name in ("one", "two"))
+    assert one == two
+    with pytest.raises(Failure):
+        pack([str(tmp_path / "nowhere")], [], [], [])
+
+
+def test_units_are_many_enough_for_all_workers_and_no_more_than_levels():
+    cost = Cost(rooms=100, seconds=1.0, start_seconds=0.1, room_milliseconds=10.0, total_seconds=9000.0)
+    assert unit_count(cost, 50_000, 8) == 200
+    assert unit_count(cost, 50_000, 100) == 800
+    assert unit_count(cost, 30, 100) == 30
+    assert unit_count(cost._replace(total_seconds=1e9), 10**9, 8) == jobs.MOST_UNITS
+
+
+@pytest.fixture
+def prepared(city) -> City:
+    assert city.prepare() == UNITS
+    return city
+
+
+def finish(city: City) -> None:
+    city.run("merge", city.store)
+    city.assert_is_whole()
+
+
+@needs_program
+def test_the_slurm_script_does_the_unit_of_its_task(prepared):
+    for task in range(1, UNITS + 1):
+        variables = {"STORE": str(prepared.store), "SCRIPTS": str(ROOT / "scripts"), "SLURM_ARRAY_TASK_ID": str(task),
+                     "PYTHON": sys.executable}
+        subprocess.run(["bash", TEMPLATES / "slurm.sbatch"], env={**prepared.environment, **variables}, check=True)
+    finish(prepared)
+
+
+def run_shell(city: City, command: list[str], variable: str) -> None:
+    """Runs the command of a container once for each index, counted from 0."""
+    for index in range(UNITS):
+        variables = {"STORE": str(city.store), "SCRIPTS": str(ROOT / "scripts"), variable: str(index)}
+        subprocess.run(command, env={**city.environment, **variables}, check=True)
+
+
+@needs_program
+def test_the_kubernetes_job_does_the_unit_of_its_index(prepared):
+    yaml = pytest.importorskip("yaml")
+    job = yaml.safe_load((TEMPLATES / "kubernetes-job.yaml").read_text())
+    assert job["spec"]["completionMode"] == "Indexed" and job["spec"]["template"]["spec"]["restartPolicy"] == "Never"
+    container = job["spec"]["template"]["spec"]["containers"][0]
+    assert {variable["name"] for variable in container["env"]} == {"STORE", "SCRIPTS"}
+    run_shell(prepared, [*container["command"], *container["args"]], "JOB_COMPLETION_INDEX")
+    finish(prepared)
+
+
+@needs_program
+def test_the_array_of_aws_batch_does_the_unit_of_its_index(prepared):
+    job = json.loads((TEMPLATES / "aws-batch.json").read_text())
+    assert 2 <= job["arrayProperties"]["size"] <= jobs.MOST_UNITS
+    run_shell(prepared, job["containerOverrides"]["command"], "AWS_BATCH_JOB_ARRAY_INDEX")
+    finish(prepared)
+
+
+@needs_program
+def test_the_steps_of_openjd_do_all_units_and_the_merge(prepared):
+    yaml = pytest.importorskip("yaml")
+    job = yaml.safe_load((TEMPLATES / "openjd.template.yaml").read_text())
+    assert job["specificationVersion"] == "jobtemplate-2023-09"
+    bake, merge = job["steps"]
+    assert merge["dependencies"] == [{"dependsOn": "bake"}]
+    values = {"Param.Store": str(prepared.store), "Param.Scripts": str(ROOT / "scripts"), "Param.Units": str(UNITS)}
+
+    def filled(text: str, unit: int = 0) -> str:
+        return re.sub(r"\{\{(.*?)\}\}", lambda found: {**values, "Task.Param.Unit": str(unit)}[found[1]], text)
+
+    first, last = filled(bake["parameterSpace"]["taskParameterDefinitions"][0]["range"]).split("-")
+    for step, units in ((bake, range(int(first), int(last) + 1)), (merge, [0])):
+        action = step["script"]["actions"]["onRun"]
+        for unit in units:
+            arguments = [filled(argument, unit) for argument in action["args"]]
+            subprocess.run([sys.executable, *arguments], env=prepared.environment, check=True)
+    prepared.assert_is_whole()
+
+
+CLUSTER_LACKS = lacks("ray", "moto", "s3fs", "flask")
+
+
+@needs_program
+@pytest.mark.skipif(bool(CLUSTER_LACKS), reason=f"not installed: {', '.join(CLUSTER_LACKS)}")
+def test_three_nodes_of_ray_and_a_failing_store_of_objects_end_with_the_bytes_of_one_bake(city):
+    proof = Path(__file__).with_name("cluster_proof.py")
+    done = subprocess.run([sys.executable, str(proof), str(city.plans), str(city.folder / "whole"), str(UNITS)],
+                          env=city.environment, capture_output=True, text=True, timeout=600)
+    assert done.returncode == 0, done.stdout + done.stderr
