@@ -29,10 +29,11 @@ from distributed import job as jobs
 from distributed.failure import Failure
 from distributed.inputs import Inputs, pack, unpack
 from distributed.job import Job
-from distributed.program import find_program, run
+from distributed.listing import Division, check_packed, list_levels
+from distributed.program import find_program
 from distributed.progress import Progress, done_units, status
 from distributed.report import merge, summary
-from distributed.sizing import measure, unit_count
+from distributed.sizing import cut, cut_into, measure, read_costs, room_count
 from distributed.store import open_store
 from distributed.unit import FAILED, FLAWED, KEPT, Outcome, run_unit
 
@@ -44,35 +45,38 @@ def prepare(options: argparse.Namespace, workers: int) -> Job:
     bake_options = options.bake_options
     jobs.check_options(bake_options)
     program = find_program(options.program)
-    inputs = pack(options.plans, options.catalog, options.edits, options.including)
+    typed = [*options.plans, *flagged("--catalog", options.catalog), *flagged("--edits", options.edits)]
+    listed = list_levels(program, [*typed, *bake_options])
+    without = None if "://" in options.to else Path(options.to).resolve()
+    inputs = pack(options.plans, options.catalog, options.edits, [*listed["sources"], *options.including], without)
     store = open_store(options.to)
-    counts = {"levels": 0, "rooms": 0}
     found = jobs.read_job(store)
-    if found is not None:
-        counts, units = {"levels": found.levels, "rooms": found.rooms}, found.units
-    else:
-        counts, units = size(program, inputs, options, workers)
-    job = jobs.agree(store, jobs.new_job(program, inputs, bake_options, counts, units), program, inputs)
+    division = Division(listed, []) if found is not None else divide(program, inputs, listed, options, workers)
+    job = jobs.agree(store, jobs.new_job(program, inputs, bake_options, division), program, inputs, division)
     if options.units not in (None, job.units):
         raise Failure(f"the job in the store has {job.units} units; its number cannot be changed")
     return job
 
 
-def size(program: Path, inputs: Inputs, options: argparse.Namespace, workers: int) -> tuple[dict, int]:
-    """Rooms and levels, and the number of units, from the plans as the machines will unpack them."""
+def flagged(flag: str, values: list[str]) -> list[str]:
+    return [word for value in values for word in (flag, value)]
+
+
+def divide(program: Path, inputs: Inputs, listed: dict, options: argparse.Namespace, workers: int) -> Division:
+    """The levels cut into units by their cost, from the plans as the machines will unpack them."""
+    levels, costs = listed["levels"], read_costs()
     with tempfile.TemporaryDirectory(prefix="roomwright-job-") as folder:
         unpack(inputs.archive, Path(folder))
-        counts = run(program, "check", *inputs.arguments, folder=Path(folder)).answer
-        if not counts.get("levels"):
-            raise Failure("the plans, as they are packed, have no levels; `roomwright check` says more")
+        check_packed(program, listed, inputs, options.bake_options, Path(folder))
         if options.units is not None:
-            return counts, min(options.units, counts["levels"])
+            return Division(listed, cut_into([costs.of(level) for level in levels], options.units))
         arguments = [*inputs.arguments, *options.bake_options]
-        cost = measure(program, Path(folder), arguments, counts, Path(folder) / "cache")
-    units = unit_count(cost, counts["levels"], workers)
-    print(f"{counts['rooms']} rooms on {counts['levels']} levels at {cost.room_milliseconds:.1f} ms (measured with {cost.rooms} "
-          f"rooms), {cost.start_seconds:.2f} s to read the plans: {units} units", file=sys.stderr)
-    return counts, units
+        sample = measure(program, Path(folder), arguments, listed, Path(folder) / "cache")
+    units = cut([costs.of(level) * sample.scale for level in levels], workers, sample.start_seconds)
+    total = sum(map(costs.of, levels)) * sample.scale
+    print(f"{room_count(levels)} rooms on {len(levels)} levels at {1000 * total / max(1, room_count(levels)):.1f} ms (measured with "
+          f"{sample.rooms} rooms), {sample.start_seconds:.2f} s to read the plans: {len(units)} units", file=sys.stderr)
+    return Division(listed, units)
 
 
 def bake(options: argparse.Namespace) -> int:
@@ -181,7 +185,7 @@ def parser() -> argparse.ArgumentParser:
         command.add_argument("--catalog", action="append", default=[], metavar="DIR", help="folder of configuration")
         command.add_argument("--edits", action="append", default=[], metavar="FILE", help="further edits")
         command.add_argument("--including", action="append", default=[], metavar="PATH",
-                             help="files that the plans name: plans of a project, models; packed at their places")
+                             help="further files that the plans need, packed at their places (default: all that the program says it reads)")
         command.add_argument("--units", type=int, help="number of units (default: by measured cost)")
         command.add_argument("--workers", type=int, help="units at the same time (default: one for each processor)")
     command = commands.choices["bake"]

@@ -7,7 +7,8 @@
 `job`      the identity of the work, agreed upon in the store
 `node`     what a machine keeps between units: program, inputs, textures
 `unit`     one share of the work, from scratch folder to its record
-`sizing`   how many units, from measured cost
+`sizing`   what levels cost, and the units that they are cut into
+`listing`  the levels of a job, and the list of each unit
 `progress` counts, rate and time left
 `local`, `on_ray`  the same units in processes of this machine, or on Ray
 `report`   the report of a run, and the joined manifest

@@ -30,15 +30,22 @@ def beside(plan: Path) -> list[Path]:
     return [plan, *([edits] if edits.is_file() else [])]
 
 
-def files_of(path: Path) -> list[Path]:
+def files_of(path: Path, without: Path | None = None) -> list[Path]:
+    """A file, or those in a folder; nothing that is hidden or below `without`."""
     if path.is_file():
         return beside(path)
     if path.is_dir():
-        return sorted(found for found in path.rglob("*") if found.is_file())
+        return sorted(found for found in path.rglob("*") if found.is_file() and is_input(found.relative_to(path))
+                      and not (without is not None and found.is_relative_to(without)))
     raise Failure(f"{path}: no such file or folder")
 
 
-def pack(plans: list[str], catalogs: list[str], edits: list[str], others: list[str]) -> Inputs:
+def is_input(path: Path) -> bool:
+    """Readers pass over hidden files and folders."""
+    return not any(part.startswith(".") for part in path.parts)
+
+
+def pack(plans: list[str], catalogs: list[str], edits: list[str], others: list[str], without: Path | None = None) -> Inputs:
     """Packs plans, folders of configuration, edits and other files that plans name, all at their places to each other."""
     named = {flag: [Path(path).resolve() for path in paths]
              for flag, paths in (("", plans), ("--catalog", catalogs), ("--edits", edits), ("other", others))}
@@ -51,7 +58,7 @@ def pack(plans: list[str], catalogs: list[str], edits: list[str], others: list[s
     for flag in ("--catalog", "--edits"):
         for path in named[flag]:
             arguments += [flag, place(path)]
-    contents = {place(file): file for path in paths for file in files_of(path)}
+    contents = {place(file): file for path in paths for file in files_of(path, without)}
     return Inputs(archive(contents), arguments)
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from .failure import Failure
 from .inputs import Inputs
+from .listing import Division
 from .store import Store
 
 # Names of levels never begin with a dot.
@@ -23,7 +24,7 @@ FLAWED = f"{FOLDER}/flawed"
 MOST_UNITS = 10_000
 # `bake` has these set for each unit, or would change other files.
 REFUSED_OPTIONS = ("--out", "--shard", "--force", "--prune", "--watch", "--threads", "--cache", "--catalog", "--edits",
-                   "--progress", "--quiet", "--json", "-o")
+                   "--progress", "--quiet", "--json", "-o", "--list-levels", "--only-levels")
 
 
 @dataclass(frozen=True)
@@ -36,6 +37,8 @@ class Job:
     units: int
     levels: int
     rooms: int
+    # The lists of levels that the units are baked from, by their hash.
+    division: str
 
     def record(self, unit: int) -> str:
         return f"{RECORDS}/manifest.{unit}-of-{self.units}.json"
@@ -47,6 +50,17 @@ class Job:
     @property
     def inputs_name(self) -> str:
         return f"{FOLDER}/inputs-{self.inputs}.tar.gz"
+
+    @property
+    def lists(self) -> str:
+        return f"{FOLDER}/units-{self.division}"
+
+    @property
+    def levels_name(self) -> str:
+        return f"{self.lists}/levels.json"
+
+    def list_of(self, unit: int) -> str:
+        return f"{self.lists}/{unit}.json"
 
     @property
     def key(self) -> str:
@@ -61,9 +75,11 @@ def check_options(options: list[str]) -> None:
             raise Failure(f"{option.split('=')[0]} cannot be given to the units; see `cluster.py --help`")
 
 
-def new_job(program: Path, inputs: Inputs, options: list[str], counts: dict, units: int) -> Job:
+def new_job(program: Path, inputs: Inputs, options: list[str], division: Division) -> Job:
+    levels = division.listed["levels"]
+    rooms = sum(sum(level["rooms"].values()) for level in levels)
     return Job(hashlib.sha256(program.read_bytes()).hexdigest(), inputs.sha256, [*inputs.arguments, *options],
-               units, counts["levels"], counts["rooms"])
+               len(division.units), len(levels), rooms, division.sha256)
 
 
 def read_job(store: Store) -> Job | None:
@@ -79,14 +95,15 @@ def parse(content: bytes) -> Job:
         raise Failure(f"{JOB} in the store is no job of this script: {error}") from error
 
 
-def agree(store: Store, wanted: Job, program: Path, inputs: Inputs) -> Job:
-    """Puts program, inputs and job into the store, in this order; or checks that the job there is the same one."""
+def agree(store: Store, wanted: Job, program: Path, inputs: Inputs, division: Division) -> Job:
+    """Puts program, inputs, lists and job into the store, in this order; or checks that the job there is the same one."""
     found = read_job(store)
     if found is None:
         for name, put in ((wanted.program_name, lambda name: store.put(program, name)),
                           (wanted.inputs_name, lambda name: store.write(name, inputs.archive))):
             if store.size(name) is None:
                 put(name)
+        division.put(store, wanted.lists)
         found = parse(store.create(JOB, json.dumps(asdict(wanted), indent=1).encode()))
     differing = differences(found, wanted)
     if differing:
@@ -96,6 +113,6 @@ def agree(store: Store, wanted: Job, program: Path, inputs: Inputs) -> Job:
 
 
 def differences(found: Job, wanted: Job) -> list[str]:
-    """How two jobs differ, the number of units left aside: it changes no byte of the result."""
+    """How two jobs differ, the division into units left aside: it changes no byte of the result."""
     names = {"program": "the program", "inputs": "the plans or the configuration", "arguments": "the options of bake"}
     return [words for field, words in names.items() if getattr(found, field) != getattr(wanted, field)]

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from .failure import Failure
 from .job import Job
-from .program import run
+from .program import ALL_DONE, SOME_FAILED, run
 from .progress import duration
 from .store import Store
 from .unit import BAKED, FAILED, FLAWED, KEPT, Outcome
@@ -29,8 +29,11 @@ def merge(store: Store, job: Job, program: Path) -> dict:
         with ThreadPoolExecutor(DOWNLOADS) as pool:
             list(pool.map(fetch, range(1, job.units + 1)))
         manifest = Path(folder) / "manifest.json"
-        merged = run(program, "merge", "--records", folder, "--out", str(manifest))
-        if merged.code:
+        levels = Path(folder) / "levels.json"
+        levels.write_bytes(store.read(job.levels_name) or b"")
+        merged = run(program, "merge", "--records", folder, "--levels", str(levels), "--out", str(manifest))
+        # Levels that failed are left out, as one bake leaves them out.
+        if merged.code not in (ALL_DONE, SOME_FAILED):
             raise Failure(f"the records cannot be joined:\n{merged.errors}")
         store.put(manifest, "manifest.json")
         return merged.answer["totals"]

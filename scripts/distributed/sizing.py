@@ -1,12 +1,13 @@
-"""How many units: few enough that starting them costs nothing, and so many that the last one does not run alone.
+"""What levels cost, by the types of their rooms and a measured sample, and the units that they are cut into.
 
-`bake --shard I/N` deals levels like cards, so every unit has levels of every building and kind, and units cost nearly the same.
-What a room costs depends on its type, the options and the machine: it is not looked up, but measured with a small share.
+A kitchen takes four times as long as a study, and a hotel's floor a hundred times as long as a cottage's. `costs.json` has
+measured milliseconds for each type; a sample of the levels, baked with the options of the job, says how far this machine and
+these options are from them.
 """
 
 from __future__ import annotations
 
-import math
+import json
 import tempfile
 import time
 from pathlib import Path
@@ -16,48 +17,103 @@ from .failure import Failure
 from .job import MOST_UNITS
 from .program import run
 
-# Levels of the share that is measured.
+# Levels of the sample.
 SAMPLE_LEVELS = 24
+# Seconds of the largest units: what a lost machine costs.
 UNIT_SECONDS = 45.0
-# With eight units for each worker, the last ones take an eighth of the time at most, in which some workers may have nothing to do.
-UNITS_OF_WORKER = 8
-# A unit in which reading the plans takes longer than a fifth of the work is too small.
-LARGEST_START_SHARE = 0.2
+# A unit takes at most this part of what is left for each worker, so that units become smaller towards the end and the last
+# ones end together (guided self-scheduling; C. Polychronopoulos and D. Kuck, 1987).
+PART_OF_REST = 1 / 3
+# Reading the plans takes a tenth of the smallest units at most.
+SMALLEST_IN_STARTS = 10.0
 
 
-class Cost(NamedTuple):
-    """What the measured share cost on one thread of this machine."""
+class Costs(NamedTuple):
+    """Milliseconds, as measured once on one thread."""
+
+    level: float
+    room: float
+    rooms: dict[str, float]
+
+    def of(self, level: dict) -> float:
+        """Milliseconds of a level as `bake --list-levels` lists it."""
+        return self.level + sum(self.rooms.get(kind, self.room) * count for kind, count in level["rooms"].items())
+
+
+class Sample(NamedTuple):
+    """What a sample cost on one thread of this machine, without reading the plans."""
 
     rooms: int
     seconds: float
     start_seconds: float
-    room_milliseconds: float
-    total_seconds: float
+    # Measured seconds for a millisecond of `Costs`.
+    scale: float
 
 
-def measure(program: Path, folder: Path, arguments: list[str], counts: dict, cache: Path) -> Cost:
-    """Bakes a small share, and an empty one for the time that every unit takes to read the plans."""
-    shares = max(1, counts["levels"] // SAMPLE_LEVELS)
-    empty = f"{counts['levels'] + 1}/{counts['levels'] + 1}"
-    times = {}
-    for share in (empty, f"1/{shares}"):
-        with tempfile.TemporaryDirectory(prefix="roomwright-sample-") as out:
-            # Textures of the cache are painted once, so the second time counts.
+def read_costs() -> Costs:
+    table = json.loads(Path(__file__).with_name("costs.json").read_text(encoding="utf-8"))
+    return Costs(table["level"], table["other"], table["rooms"])
+
+
+def room_count(levels: list[dict]) -> int:
+    return sum(sum(level["rooms"].values()) for level in levels)
+
+
+def measure(program: Path, folder: Path, arguments: list[str], listed: dict, cache: Path) -> Sample:
+    """Bakes some of the levels, and none of them for the time that every unit takes to read the plans."""
+    levels, times = listed["levels"], []
+    chosen = levels[:: max(1, len(levels) // SAMPLE_LEVELS)]
+    with tempfile.TemporaryDirectory(prefix="roomwright-sample-") as scratch:
+        for name, some in (("none", []), ("some", chosen)):
+            file = Path(scratch) / f"{name}.json"
+            file.write_text(json.dumps({"program": listed["program"], "levels": some}), encoding="utf-8")
             started = time.monotonic()
-            ran = run(program, "bake", *arguments, "--out", f"{out}/out", "--shard", share, "--threads", "1",
-                      "--cache", str(cache), "--progress", "none", folder=folder)
-            times[share] = time.monotonic() - started
-            if ran.code > 1 or ran.code < 0:
-                raise Failure(f"a first share could not be baked:\n{ran.errors}")
-    rooms = max(1, ran.answer["totals"]["rooms"])
-    work = max(0.0, times[f"1/{shares}"] - times[empty])
-    return Cost(rooms, work, times[empty], 1000 * work / rooms, work / rooms * counts["rooms"])
+            ran = run(program, "bake", *arguments, "--out", f"{scratch}/{name}", "--shard", "1/1", "--only-levels", str(file),
+                      "--threads", "1", "--cache", str(cache), "--progress", "none", folder=folder)
+            times.append(time.monotonic() - started)
+            if ran.code not in (0, 1) or "totals" not in ran.answer:
+                raise Failure(f"a sample of the levels could not be baked:\n{ran.errors}")
+    start, work = times[0], max(1e-3, times[1] - times[0])
+    costs = read_costs()
+    return Sample(room_count(chosen), work, start, work / sum(map(costs.of, chosen)))
 
 
-def unit_count(cost: Cost, levels: int, workers: int) -> int:
-    """The number of units for that cost."""
-    by_time = math.ceil(cost.total_seconds / UNIT_SECONDS)
-    for_workers = UNITS_OF_WORKER * workers
-    # Small units are for many workers only as long as they do not mostly read plans.
-    affordable = math.floor(cost.total_seconds * LARGEST_START_SHARE / max(cost.start_seconds, 1e-3))
-    return max(1, min(max(by_time, min(for_workers, max(affordable, workers))), levels, MOST_UNITS))
+def cut(seconds: list[float], workers: int, start_seconds: float) -> list[range]:
+    """Consecutive levels as units, the longest units first: whoever takes them in this order ends with short ones."""
+    left = sum(seconds)
+    most = max(UNIT_SECONDS, 2 * left / MOST_UNITS)
+    least = min(most, max(SMALLEST_IN_STARTS * start_seconds, left / MOST_UNITS))
+    units, begin, spent = [], 0, 0.0
+    target = size_of(left, workers, least, most)
+    for index, cost in enumerate(seconds):
+        spent += cost
+        if spent >= target or index + 1 == len(seconds):
+            units.append((spent, range(begin, index + 1)))
+            left, begin, spent = left - spent, index + 1, 0.0
+            target = size_of(left, workers, least, most)
+    return in_order(units)
+
+
+def size_of(left: float, workers: int, least: float, most: float) -> float:
+    return min(most, max(least, left / workers * PART_OF_REST))
+
+
+def cut_into(seconds: list[float], count: int) -> list[range]:
+    """A given number of units of about the same cost."""
+    count = min(count, len(seconds))
+    total, spent, begin, units = sum(seconds), 0.0, 0, []
+    cost = 0.0
+    for index, level in enumerate(seconds):
+        spent, cost = spent + level, cost + level
+        open_units, levels_left = count - len(units), len(seconds) - index - 1
+        is_full = spent >= total * (len(units) + 1) / count
+        # Every unit that is still to come has a level.
+        if open_units > 1 and levels_left >= open_units - 1 and (is_full or levels_left == open_units - 1):
+            units.append((cost, range(begin, index + 1)))
+            begin, cost = index + 1, 0.0
+    units.append((cost, range(begin, len(seconds))))
+    return in_order(units)
+
+
+def in_order(units: list[tuple[float, range]]) -> list[range]:
+    return [levels for _, levels in sorted(units, key=lambda unit: (-unit[0], unit[1].start))]

@@ -59,8 +59,13 @@ def run_unit(url: str, unit: int, threads: int) -> Outcome:
 
 
 def bake(store: Store, job: Job, node: Node, unit: int, threads: int, out: Path) -> Outcome:
+    content = store.read(job.list_of(unit))
+    if content is None:
+        raise Failure("the store lacks the list of levels of the unit")
+    levels = out.with_name("levels.json")
+    levels.write_bytes(content)
     started = time.monotonic()
-    ran = run(node.program, "bake", *job.arguments, "--out", str(out), "--shard", f"{unit}/{job.units}",
+    ran = run(node.program, "bake", *job.arguments, "--out", str(out), "--shard", f"{unit}/{job.units}", "--only-levels", str(levels),
               "--threads", str(threads), "--cache", str(node.cache), "--progress", "none", folder=node.inputs)
     seconds = time.monotonic() - started
     if reason := refusal(ran):
@@ -71,7 +76,7 @@ def bake(store: Store, job: Job, node: Node, unit: int, threads: int, out: Path)
         note = {"failures": ran.answer["failures"], "misfits": ran.answer["misfits"], "stderr": ran.errors}
         store.write(f"{jobs.FLAWED}/{unit}.json", json.dumps(note, indent=1).encode())
     # The last of all: whoever sees it may rely on everything else.
-    store.put(record_of(out, unit, job.units), job.record(unit))
+    store.put(out / f"manifest.{unit}-of-{job.units}.json", job.record(unit))
     kind = FLAWED if ran.code == SOME_FAILED else BAKED
     return Outcome(unit, kind, ran.answer["totals"]["rooms"], seconds, bytes=size)
 
@@ -85,12 +90,6 @@ def refusal(ran: Ran) -> str:
     if of_machine or ran.answer["skipped_levels"] or ran.answer["manifest"] is None:
         return f"bake could not write: {(of_machine or [{'message': ran.errors}])[0]['message']}"
     return ""
-
-
-def record_of(out: Path, unit: int, units: int) -> Path:
-    """The record of a share; one that has all levels of the plan is written as the whole manifest."""
-    part = out / f"manifest.{unit}-of-{units}.json"
-    return part if part.is_file() else out / "manifest.json"
 
 
 def upload(store: Store, out: Path) -> int:

@@ -18,7 +18,7 @@ from conftest import ROOT
 from distributed import job as jobs
 from distributed.failure import Failure
 from distributed.inputs import pack
-from distributed.sizing import Cost, unit_count
+from distributed.sizing import UNIT_SECONDS, cut, cut_into, read_costs
 from distributed.store import Folder, repeated
 
 SCRIPT = ROOT / "scripts" / "cluster.py"
@@ -217,12 +217,38 @@ def test_the_archive_of_plans_depends_on_their_content_only(tmp_path):
         pack([str(tmp_path / "nowhere")], [], [], [])
 
 
-def test_units_are_many_enough_for_all_workers_and_no_more_than_levels():
-    cost = Cost(rooms=100, seconds=1.0, start_seconds=0.1, room_milliseconds=10.0, total_seconds=9000.0)
-    assert unit_count(cost, 50_000, 8) == 200
-    assert unit_count(cost, 50_000, 100) == 800
-    assert unit_count(cost, 30, 100) == 30
-    assert unit_count(cost._replace(total_seconds=1e9), 10**9, 8) == jobs.MOST_UNITS
+def test_units_become_shorter_towards_the_end_and_are_no_more_than_levels():
+    seconds = [0.5 + index % 7 for index in range(4000)]
+    units = cut(seconds, workers=8, start_seconds=0.1)
+    costs = [sum(seconds[unit.start:unit.stop]) for unit in units]
+    assert sorted(index for unit in units for index in unit) == list(range(4000))
+    assert costs == sorted(costs, reverse=True) and max(costs) < UNIT_SECONDS + 7 and costs[-1] < 8
+    # Whoever is idle takes the next unit: nobody waits longer at the end than a short unit takes.
+    workers = [0.0] * 8
+    for cost in costs:
+        workers[workers.index(min(workers))] += cost
+    assert max(workers) < 1.02 * sum(seconds) / 8
+    assert len(cut([1.0] * 30, workers=100, start_seconds=0.0)) == 30
+    assert len(cut([1e4] * 50_000, workers=8, start_seconds=1.0)) <= jobs.MOST_UNITS
+
+
+def test_one_large_level_is_a_unit_of_its_own_and_the_first():
+    units = cut([1.0] * 50 + [40.0] + [1.0] * 50, workers=2, start_seconds=0.01)
+    assert units[0].stop == 51 and len(units[0]) <= 51 and all(50 not in unit for unit in units[1:])
+
+
+def test_a_given_number_of_units_is_met():
+    for count in (1, 3, 5, 8):
+        units = cut_into([9.0, 1, 1, 1, 1, 1, 1, 9.0], count)
+        assert len(units) == count and all(len(unit) for unit in units)
+        assert sorted(index for unit in units for index in unit) == list(range(8))
+    assert len(cut_into([1.0, 1.0], 5)) == 2
+
+
+def test_rooms_cost_by_their_type():
+    costs = read_costs()
+    some = {"building": "a", "level": "1", "rooms": {"kitchen": 2, "of no known type": 1}}
+    assert costs.of(some) == pytest.approx(costs.level + 2 * costs.rooms["kitchen"] + costs.room)
 
 
 @pytest.fixture
