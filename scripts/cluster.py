@@ -119,7 +119,7 @@ def finish(options: argparse.Namespace, job: Job, outcomes: list[Outcome]) -> in
         return SOME_FAILED
     store = open_store(options.to)
     are_all_kept = all(outcome.kind == KEPT for outcome in outcomes)
-    if not (are_all_kept and store.size("manifest.json") is not None):
+    if not (are_all_kept and store.has("manifest.json")):
         totals = merge(store, job, find_program(options.program))
         print(f"{options.to}/manifest.json: {totals['rooms']} rooms, {totals['placed']} objects")
     return SOME_FAILED if store.list(jobs.FLAWED) else DONE

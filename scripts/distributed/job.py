@@ -101,7 +101,7 @@ def agree(store: Store, wanted: Job, program: Path, inputs: Inputs, division: Di
     if found is None:
         for name, put in ((wanted.program_name, lambda name: store.put(program, name)),
                           (wanted.inputs_name, lambda name: store.write(name, inputs.archive))):
-            if store.size(name) is None:
+            if not store.has(name):
                 put(name)
         division.put(store, wanted.lists)
         found = parse(store.create(JOB, json.dumps(asdict(wanted), indent=1).encode()))

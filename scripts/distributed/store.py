@@ -1,13 +1,17 @@
 """Where results go: a folder, or a store of objects that fsspec names (s3://, gs://, az://).
 
 Stores answer some requests with an error, and a machine may die during any of them. So every request is repeated, and every
-file that was written is measured there. Two writers of one name write the same bytes, so that the order does not matter.
+file that was written is compared with what the store says of it: its length and, where the store knows it, its MD5. Two writers
+of one name write the same bytes, so that the order does not matter.
 """
 
 from __future__ import annotations
 
+import base64
+import hashlib
 import os
 import random
+import re
 import secrets
 import time
 from collections.abc import Callable
@@ -23,6 +27,17 @@ ATTEMPTS = 8
 # Seconds before the second attempt; each further pause is twice as long, up to the longest.
 FIRST_PAUSE = 0.2
 LONGEST_PAUSE = 10.0
+
+
+class Known(NamedTuple):
+    """What is known of a file's content; a store may not know the MD5."""
+
+    size: int
+    md5: str | None
+
+    def is_content_of(self, other: Known) -> bool:
+        """Whether both may be the same content."""
+        return self.size == other.size and (None in (self.md5, other.md5) or self.md5 == other.md5)
 
 
 class Found(NamedTuple):
@@ -59,20 +74,24 @@ class Store:
         except FileNotFoundError:
             return None
 
-    def size(self, name: str) -> int | None:
-        """The length of a file; None if there is none."""
-        try:
-            return repeated(lambda: self._size(name))
-        except FileNotFoundError:
-            return None
+    def has(self, name: str) -> bool:
+        """Whether there is a file."""
+        return self._known_of(name) is not None
+
+    def holds(self, path: Path, name: str) -> bool:
+        """Whether a file is there with the content of one of this machine."""
+        found = self._known_of(name)
+        return found is not None and found.is_content_of(self._expected(path))
 
     def write(self, name: str, content: bytes) -> None:
         """Writes a file, whole or not at all."""
-        repeated(lambda: self._checked(name, len(content), lambda: self._write(name, content)))
+        expected = Known(len(content), hashlib.md5(content, usedforsecurity=False).hexdigest() if self.knows_md5 else None)
+        repeated(lambda: self._checked(name, expected, lambda: self._write(name, content)))
 
     def put(self, path: Path, name: str) -> None:
         """Writes a file of this machine."""
-        repeated(lambda: self._checked(name, path.stat().st_size, lambda: self._put(path, name)))
+        expected = self._expected(path)
+        repeated(lambda: self._checked(name, expected, lambda: self._put(path, name)))
 
     def create(self, name: str, content: bytes) -> bytes:
         """Writes a file unless there is one. The content that is there afterwards: this, or that of another writer."""
@@ -91,14 +110,32 @@ class Store:
         except FileNotFoundError:
             return []
 
-    def _checked(self, name: str, size: int, action: Callable[[], None]) -> None:
+    # Whether the store says the MD5 of files.
+    knows_md5 = False
+
+    def _known_of(self, name: str) -> Known | None:
+        try:
+            return repeated(lambda: self._known(name))
+        except FileNotFoundError:
+            return None
+
+    def _expected(self, path: Path) -> Known:
+        return Known(path.stat().st_size, digest(path, "md5") if self.knows_md5 else None)
+
+    def _checked(self, name: str, expected: Known, action: Callable[[], None]) -> None:
         action()
         try:
-            found = self._size(name)
-        except FileNotFoundError:
-            found = None
-        if found != size:
-            raise OSError(f"{name} has {found} bytes in the store instead of {size}")
+            found = self._known(name)
+        except FileNotFoundError as error:
+            # Not the answer to a question: what was just written has to be there.
+            raise OSError(f"{name} is not in the store after it was sent") from error
+        if found.is_content_of(expected):
+            return
+        # Tags of objects that the store encrypts by a key of its owner look like an MD5 and are none: the content decides.
+        if found.size == expected.size and hashlib.md5(self._read(name), usedforsecurity=False).hexdigest() == expected.md5:
+            self.knows_md5 = False
+            return
+        raise OSError(f"{name} arrived damaged in the store: {found} instead of {expected}")
 
 
 class Folder(Store):
@@ -113,8 +150,8 @@ class Folder(Store):
     def _read(self, name: str) -> bytes:
         return self._path(name).read_bytes()
 
-    def _size(self, name: str) -> int:
-        return self._path(name).stat().st_size
+    def _known(self, name: str) -> Known:
+        return Known(self._path(name).stat().st_size, None)
 
     def _temporary(self, name: str) -> Path:
         path = self._path(name)
@@ -154,6 +191,8 @@ class Folder(Store):
 class Objects(Store):
     """A store that fsspec reads and writes."""
 
+    knows_md5 = True
+
     def __init__(self, url: str):
         try:
             import fsspec
@@ -173,9 +212,10 @@ class Objects(Store):
     def _read(self, name: str) -> bytes:
         return self.system.cat_file(self._path(name))
 
-    def _size(self, name: str) -> int:
+    def _known(self, name: str) -> Known:
         self._fresh()
-        return self.system.info(self._path(name))["size"]
+        said = self.system.info(self._path(name))
+        return Known(said["size"], said_md5(said))
 
     def _write(self, name: str, content: bytes) -> None:
         self.system.pipe_file(self._path(name), content)
@@ -195,6 +235,23 @@ class Objects(Store):
                 seconds = written.timestamp() if hasattr(written, "timestamp") else float(written)
                 found.append(Found(f"{folder}/{entry['name'].rsplit('/', 1)[-1]}", entry["size"], seconds))
         return found
+
+
+def digest(path: Path, algorithm: str) -> str:
+    """The hash of a file, which may be larger than the memory."""
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, lambda: hashlib.new(algorithm, usedforsecurity=False)).hexdigest()
+
+
+def said_md5(said: dict) -> str | None:
+    """The MD5 of an object, if the store says it: Google's `md5Hash`, Azure's `content_md5`, or the `ETag` of S3.
+
+    An ETag is the MD5 of objects that were sent in one piece; the tags of others have a hyphen.
+    """
+    if encoded := said.get("md5Hash") or (said.get("content_settings") or {}).get("content_md5"):
+        return base64.b64decode(encoded).hex() if isinstance(encoded, str) else bytes(encoded).hex()
+    tag = str(said.get("ETag", "")).strip('"')
+    return tag if re.fullmatch("[0-9a-f]{32}", tag) else None
 
 
 def open_store(url: str) -> Store:

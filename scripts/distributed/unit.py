@@ -20,7 +20,7 @@ from .failure import Failure
 from .job import Job
 from .node import Node, prepare
 from .program import ALL_DONE, SOME_FAILED, Ran, run
-from .store import Store, open_store
+from .store import Store, digest, open_store
 
 KEPT, BAKED, FLAWED, FAILED = "kept", "baked", "flawed", "failed"
 # Files that are on their way to the store at the same time.
@@ -49,7 +49,7 @@ def run_unit(url: str, unit: int, threads: int) -> Outcome:
         raise Failure(f"{url} holds no job; `cluster.py prepare` and `cluster.py bake` make one")
     if not 1 <= unit <= job.units:
         raise Failure(f"units are counted from 1 to {job.units}")
-    if store.size(job.record(unit)) is not None:
+    if store.has(job.record(unit)):
         return Outcome(unit, KEPT)
     started = time.monotonic()
     node = prepare(store, job)
@@ -71,14 +71,19 @@ def bake(store: Store, job: Job, node: Node, unit: int, threads: int, out: Path)
     if reason := refusal(ran):
         note_error(store, unit, ran, reason)
         return Outcome(unit, FAILED, message=reason)
-    size = upload(store, out)
+    part = out / f"manifest.{unit}-of-{job.units}.json"
+    files = recorded(part)
+    if damaged := first_damaged(out, files):
+        note_error(store, unit, ran, reason := f"{damaged} is not what the bake recorded: the disk of this machine is damaged or full")
+        return Outcome(unit, FAILED, message=reason)
+    upload(store, out, files)
     if ran.code == SOME_FAILED:
         note = {"failures": ran.answer["failures"], "misfits": ran.answer["misfits"], "stderr": ran.errors}
         store.write(f"{jobs.FLAWED}/{unit}.json", json.dumps(note, indent=1).encode())
     # The last of all: whoever sees it may rely on everything else.
-    store.put(out / f"manifest.{unit}-of-{job.units}.json", job.record(unit))
+    store.put(part, job.record(unit))
     kind = FLAWED if ran.code == SOME_FAILED else BAKED
-    return Outcome(unit, kind, ran.answer["totals"]["rooms"], seconds, bytes=size)
+    return Outcome(unit, kind, ran.answer["totals"]["rooms"], seconds, bytes=sum(file["bytes"] for file in files))
 
 
 def refusal(ran: Ran) -> str:
@@ -92,21 +97,31 @@ def refusal(ran: Ran) -> str:
     return ""
 
 
-def upload(store: Store, out: Path) -> int:
-    """Puts the files of levels and those that they share into the store; their bytes."""
-    files = [path for path in sorted(out.rglob("*"))
-             if path.is_file() and len(path.relative_to(out).parts) > 1 and path.relative_to(out).parts[0] != ".roomwright"]
+def recorded(part: Path) -> list[dict]:
+    """The files of levels and those that they share, as the part of the manifest lists them."""
+    manifest = json.loads(part.read_text(encoding="utf-8"))
+    return [file for level in manifest["levels"] for file in level["files"]] + manifest["library"]
 
-    def put(path: Path) -> int:
-        name, size = path.relative_to(out).as_posix(), path.stat().st_size
+
+def first_damaged(out: Path, files: list[dict]) -> str | None:
+    """A file whose content is not the recorded one: `bake` hashes what it writes, not what the disk made of it."""
+    return next((file["path"] for file in files if not is_intact(out / file["path"], file)), None)
+
+
+def is_intact(path: Path, file: dict) -> bool:
+    return path.is_file() and digest(path, "sha256") == file["sha256"]
+
+
+def upload(store: Store, out: Path, files: list[dict]) -> None:
+    """Puts files into the store."""
+    def put(file: dict) -> None:
+        path, name = out / file["path"], file["path"]
         # The names of shared files say their content: most are there already.
-        is_shared = path.parent.name.startswith("shared-")
-        if not is_shared or store.size(name) != size:
+        if not path.parent.name.startswith("shared-") or not store.holds(path, name):
             store.put(path, name)
-        return size
 
     with ThreadPoolExecutor(UPLOADS) as pool:
-        return sum(pool.map(put, files))
+        list(pool.map(put, files))
 
 
 def note_error(store: Store, unit: int, ran: Ran, reason: str) -> None:

@@ -10,7 +10,7 @@ use super::folder::OutputFolder;
 use super::manifest::{Listed, MANIFEST_NAME, without_own_program, write_manifest};
 use super::options::Shard;
 use super::options::Unplanned;
-use super::record::{FileRecord, LevelKey, LevelRecord, Totals};
+use super::record::{FileRecord, LevelKey, LevelRecord, Totals, has_index};
 use super::sources::{Contents, FoundRecord, Sources, manifest_paths};
 use super::state::{
     JOINING_PREFIX, Runs, check_state, create_state, find_runs, lock_state, remove_runs, state_folder,
@@ -18,7 +18,7 @@ use super::state::{
 use super::unplanned::{Apart, Leftovers, is_there};
 use crate::disk::new_temporary;
 use crate::document::{Fault, FaultSeverity, Faults};
-use crate::output::{IndexFiles, IndexedLevel};
+use crate::output::{INDEX_NAME, IndexFiles, IndexedLevel};
 
 /// The state of the records after a run.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -81,6 +81,7 @@ pub fn merge(root: &Path) -> Result<MergeReport, OutputFault> {
     let as_error = |fault: Fault| Fault { severity: FaultSeverity::Error, ..fault };
     let mut faults = Faults(std::mem::take(&mut contents.faults).0.into_iter().map(as_error).collect());
     faults.merge(missing);
+    faults.0.extend(missing_index(&manifest, &contents));
     Ok(MergeReport { manifest, totals, living_runs: runs.living.len(), faults })
 }
 
@@ -93,6 +94,18 @@ fn missing_levels(root: &Path, contents: &Contents<'_>) -> Faults {
         Some(Fault::of_file(&root.join(&file.path), message).with_hint(ELSEWHERE))
     });
     Faults(missing.collect())
+}
+
+/// A fault if the files over all levels are missing, which a bake makes once all shares have ended.
+fn missing_index(manifest: &Path, contents: &Contents<'_>) -> Option<Fault> {
+    let mut current = contents.levels.iter().filter(|(key, _)| !contents.former.contains(key));
+    let needs_one = |found: &[FoundRecord<'_>]| found.last().is_some_and(|last| has_index(&last.head.files));
+    let is_missing = contents.index.is_empty() && current.any(|(_, found)| needs_one(found));
+    is_missing.then(|| {
+        let message = format!("lists levels for a {INDEX_NAME}, and there is none");
+        let hint = "give the command that wrote the levels once more, without --shard: it keeps them and writes the file";
+        Fault::of_file(manifest, message).with_hint(hint)
+    })
 }
 
 /// Advice where files that records name are not there.

@@ -10,7 +10,7 @@ use sha2::{Digest, Sha256};
 use super::claim::{FalseClaim, check_level, check_shared};
 use super::fault::OutputFault;
 use super::manifest::{LARGEST_RECORDS, is_part_name, parse_manifest, part_numbers};
-use super::record::{FileRecord, LevelKey, LevelRecord};
+use super::record::{FileRecord, LevelKey, LevelRecord, has_index};
 use crate::disk::{open_regular, read_plain};
 
 /// A part's file, by the share that its name says.
@@ -44,6 +44,8 @@ pub(super) struct PartLevel {
     /// SHA-256 of the record's text.
     pub(super) content: [u8; 32],
     pub(super) span: Span,
+    /// Whether it needs files over all levels.
+    pub(super) has_index: bool,
 }
 
 /// The place of a record in its file. A city's records do not fit into memory; their places do.
@@ -120,5 +122,13 @@ fn read_level(level: &RawValue, text: &[u8]) -> Result<PartLevel, FalseClaim> {
     let start = own.as_ptr().addr() - text.as_ptr().addr();
     let span = Span { start: start as u64, length: own.len() };
     let content = Sha256::digest(own).into();
-    Ok(PartLevel { key: record.key(), inputs: record.inputs, program: record.program, content, span })
+    let has_index = has_index(&record.files);
+    Ok(PartLevel {
+        key: record.key(),
+        inputs: record.inputs,
+        program: record.program,
+        content,
+        span,
+        has_index,
+    })
 }

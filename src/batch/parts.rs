@@ -16,6 +16,7 @@ use super::program::PROGRAM;
 use super::record::{FileRecord, LevelKey, Totals};
 use crate::disk::{new_temporary, read_plain};
 use crate::document::{Fault, Faults};
+use crate::output::INDEX_NAME;
 
 /// How temporary files of a manifest begin. Hidden, so that none is taken for a result.
 const TEMPORARY_PREFIX: &str = ".roomwright-manifest-";
@@ -69,6 +70,7 @@ pub fn merge_parts(
 
 const COPY: &str = "copy the part again from the machine or store that has it, or bake its share again";
 const BAKE: &str = "bake this share and put its part into the folder";
+const INDEXED: &str = "bake in another format, join the parts, and write the tiles from the finished bake: `roomwright tiles OUT`";
 const SAME: &str = "bake all shares with the same plans, options and program into new folders";
 
 /// The records of all parts so far.
@@ -96,6 +98,12 @@ impl Gathered<'_> {
             self.contradict(path, message, "join the parts with the program that wrote them all");
             return;
         }
+        if part.levels.iter().flatten().any(|level| level.has_index) {
+            let message =
+                format!("holds levels whose {INDEX_NAME} is made of all levels, which are not here");
+            self.contradict(path, message, INDEXED);
+            return;
+        }
         for level in part.levels {
             match level {
                 Ok(level) => self.add_level(files, number, level),
@@ -111,7 +119,7 @@ impl Gathered<'_> {
     }
 
     fn add_level(&mut self, files: &[PartFile], number: usize, level: PartLevel) {
-        let (path, PartLevel { key, inputs, program, content, span }) = (&files[number].path, level);
+        let (path, PartLevel { key, inputs, program, content, span, .. }) = (&files[number].path, level);
         let name = format!("{}/{}", key.building, key.level);
         if let Some(other) = program {
             self.contradict(path, format!("has level {name} of another program, {other}"), SAME);

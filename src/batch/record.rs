@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::audit::{AuditSummary, Grade};
 use crate::contract::FindingExtras;
 use crate::disk::content_hash;
+use crate::output;
 use crate::scene::LevelBounds;
 
 /// One level of one building as it was written. The keys and their order are part of the output.
@@ -43,6 +44,12 @@ pub struct LevelRecord {
     pub left_out: Vec<String>,
     /// Rooms with missing pieces or findings, in the plan's order.
     pub rooms: Vec<RoomRecord>,
+}
+
+/// Whether the files of a level are those of a format with files over all levels.
+pub(super) fn has_index(files: &[FileRecord]) -> bool {
+    let paths: Vec<&str> = files.iter().map(|file| file.path.as_str()).collect();
+    output::has_index(&paths)
 }
 
 /// A building's place on the site.

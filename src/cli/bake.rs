@@ -9,13 +9,14 @@ use super::arguments::{
 };
 use super::exit::Outcome;
 use super::leftovers::leftovers_text;
+use super::level_lists::{list_levels, shares_without_index};
 use super::progress::Progress;
 use super::reroll::reroll;
 use super::room_styles::check_room_styles;
 use super::screen::Screen;
 use super::sources::{read_sources, run_style};
 use super::summary::{bake_answer, failure_text, summary_text, timing_text, where_to_look};
-use super::watch::{Inputs, watch};
+use super::watch::watch;
 use crate::batch::{
     BakeInput, BakeOptions, BakeReport, ChosenLevels, LevelList, LevelMisfit, Observer, OutputFault,
     OutputFolder, PROGRAM, Unplanned, bake, record_plans,
@@ -40,12 +41,12 @@ const OTHER_RESULTS: [&str; 5] = ["usd", "usda", "usdc", "usdz", "zip"];
 pub(crate) const DEFAULT_SEED: u64 = 1;
 
 /// The meaning of a command line.
-struct Run {
-    sources: Project,
-    options: BakeOptions,
+pub(super) struct Run {
+    pub(super) sources: Project,
+    pub(super) options: BakeOptions,
     cache_root: Option<PathBuf>,
     is_forced: bool,
-    teller: Teller,
+    pub(super) teller: Teller,
 }
 
 /// What has to be known to tell how the work goes.
@@ -112,6 +113,10 @@ pub(super) fn check_folder(out: &Path, screen: Screen) -> Result<(), Outcome> {
 
 /// Writes levels: the work of `bake` and `tiles`.
 pub(super) fn write_levels(request: Request, screen: Screen) -> Outcome {
+    if let Some(fault) = shares_without_index(&request) {
+        screen.faults(&fault.into());
+        return Outcome::NotStarted;
+    }
     if request.run.list_levels {
         return list_levels(request, screen);
     }
@@ -136,31 +141,6 @@ pub(super) fn write_levels(request: Request, screen: Screen) -> Outcome {
     }
 }
 
-/// Lists the levels that would be written.
-fn list_levels(request: Request, screen: Screen) -> Outcome {
-    let typed = request.run.sources.clone();
-    let run = match understand(request, screen) {
-        Ok(run) => run,
-        Err(outcome) => return outcome,
-    };
-    let Project { plan, edits, catalog, models, faults, .. } = &run.sources;
-    // The demo's plans are gone when the program ends.
-    let is_read = !run.teller.is_demo;
-    let sources = is_read.then(|| Inputs::of_reading(&typed, Ok((plan, faults))).found());
-    let input = BakeInput { plan, edits, catalog, models, options: &run.options };
-    let list = LevelList::of(&input, sources.unwrap_or_default());
-    if screen.is_json {
-        screen.json(&list);
-    } else {
-        for level in &list.levels {
-            let rooms: Vec<String> =
-                level.rooms.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
-            screen.result(&format!("{}/{}: {}", level.building, level.level, rooms.join(", ")));
-        }
-    }
-    Outcome::of_failures(run.teller.has_input_faults)
-}
-
 /// A fault if the output folder has the name of a file that users may expect instead.
 fn file_as_folder(out: &Path) -> Option<Fault> {
     let ending = out.extension()?.to_str()?.to_ascii_lowercase();
@@ -174,7 +154,7 @@ fn file_as_folder(out: &Path) -> Option<Fault> {
 }
 
 /// From what was typed to what it means.
-fn understand(request: Request, screen: Screen) -> Result<Run, Outcome> {
+pub(super) fn understand(request: Request, screen: Screen) -> Result<Run, Outcome> {
     let Request { run: arguments, out, level, index } = request;
     let refused = |faults: Faults| {
         screen.faults(&faults);

@@ -18,6 +18,7 @@ mod import;
 mod import_report;
 mod init;
 mod leftovers;
+mod level_lists;
 mod man;
 mod merge;
 mod plan;

@@ -52,4 +52,4 @@ pub(crate) use format::{
 };
 pub use options::{Format, IndexOptions, LevelOptions, TextureOptions};
 pub(crate) use shared_images::shared_images;
-pub(crate) use table::{OUTPUTS, is_read_back, output_format};
+pub(crate) use table::{OUTPUTS, has_index, is_read_back, output_format};

@@ -29,6 +29,17 @@ pub(crate) fn is_read_back(path: &Path) -> bool {
     OUTPUTS.iter().any(is_of) && !others.any(is_of_longer)
 }
 
+/// Whether the files of a level are those of a format with files over all levels.
+pub(crate) fn has_index(paths: &[&str]) -> bool {
+    let ends_with = |(path, extension): (&&str, &&str)| {
+        path.strip_suffix(extension).is_some_and(|stem| stem.ends_with('.'))
+    };
+    OUTPUTS
+        .iter()
+        .filter(|line| line.has_index && line.extensions.len() == paths.len())
+        .any(|line| paths.iter().zip(line.extensions).all(ends_with))
+}
+
 impl Format {
     /// The format of a name.
     #[must_use]
@@ -56,6 +67,12 @@ mod tests {
         assert!(
             !is_read("tiles/a/1.full.glb") && !is_read("1.boxes.GLB") && !is_read("1.bin") && !is_read("glb")
         );
+    }
+
+    #[test]
+    fn levels_of_an_index_are_told_by_all_their_files() {
+        assert!(has_index(&["a/1.full.glb", "a/1.reduced.glb", "a/1.boxes.glb"]));
+        assert!(!has_index(&["a/1.full.glb"]) && !has_index(&["a/1.gltf", "a/1.bin"]) && !has_index(&[]));
     }
 
     #[test]

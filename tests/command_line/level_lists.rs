@@ -115,3 +115,47 @@ fn levels_of_other_plans_or_options_are_neither_baked_nor_joined() {
     assert!(world.run(&bake).stderr.contains("other.json"), "the file is named");
     assert_eq!(world.run(&["bake", "plans", "--only-levels", "other.json"]).code, Some(2), "without --shard");
 }
+
+/// A `tileset.json` is made of all levels: no share can write it.
+#[test]
+fn tiles_are_neither_listed_nor_baked_by_name_nor_joined_without_their_files() {
+    let world = city();
+    world.write("levels.json", listed(&world, &[]).to_string());
+    for (command, option) in [
+        (&["bake", "plans", "--format", "tiles", "--list-levels"][..], "--list-levels"),
+        (&["tiles", "plans", "--list-levels"], "--list-levels"),
+        (&["tiles", "plans", "--shard", "1/2", "--only-levels", "levels.json"], "--only-levels"),
+    ] {
+        let ran = world.run(command);
+        assert_eq!(ran.code, Some(2), "{command:?}");
+        let is_explained = ran.stderr.contains(&format!("{option}: does not go with the format tiles"))
+            && ran.stderr.contains("roomwright tiles OUT");
+        assert!(is_explained, "{}", ran.stderr);
+    }
+    assert!(!world.path("tiles").exists() && !world.path("out").exists());
+
+    world.must(&["tiles", "plans", "--out", "parts/1", "--shard", "1/2"]);
+    world.must(&["tiles", "plans", "--out", "parts/2", "--shard", "2/2"]);
+    let ran = world.run(&["merge", "--records", "parts"]);
+    assert_eq!(ran.code, Some(2), "{}", ran.stdout);
+    assert!(ran.stderr.contains("whose tileset.json is made of all levels"), "{}", ran.stderr);
+    assert!(!world.path("parts/manifest.json").exists());
+}
+
+#[test]
+fn a_merge_says_that_the_tileset_is_missing_and_the_next_run_writes_it() {
+    let world = city();
+    world.must(&["tiles", "plans", "--out", "whole-tiles"]);
+    world.must(&["tiles", "plans", "--out", "1", "--shard", "1/2"]);
+    world.must(&["tiles", "plans", "--out", "2", "--shard", "2/2"]);
+    for folder in ["1", "2"] {
+        for (name, content) in world.contents(folder) {
+            world.write(&format!("both/{name}"), content);
+        }
+    }
+    let ran = world.run(&["merge", "both"]);
+    assert_eq!(ran.code, Some(1), "{}", ran.stderr);
+    assert!(ran.stderr.contains("tileset.json, and there is none"), "{}", ran.stderr);
+    world.must(&["tiles", "plans", "--out", "both"]);
+    assert_eq!(world.files("both"), world.files("whole-tiles"));
+}

@@ -1,4 +1,6 @@
-"""Bakes on a Ray cluster of three nodes into a real S3 endpoint that fails one request in twenty; loses a node on the way.
+"""Bakes on a Ray cluster of three nodes into a real S3 endpoint; loses a node and a worker process on the way.
+
+The endpoint fails one request in twenty and alters a byte of one level in twenty that it is sent.
 
     python tests/scripts/cluster_proof.py PLANS WHOLE UNITS
 
@@ -15,6 +17,7 @@ import json
 import os
 import random
 import re
+import signal
 import sys
 import threading
 import time
@@ -23,26 +26,37 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
 
 FAILING_SHARE = 0.05
+DAMAGED_SHARE = 0.05
 BUCKET = "city"
+# The name of a worker of Ray that does a unit.
+WORKER = b"ray::run_unit"
 
 
 class FailingStore:
-    """The application of moto's server; a share of its answers are errors."""
+    """The application of moto's server; a share of its answers are errors, and a share of the levels are stored altered."""
 
     def __init__(self, application):
-        self.application, self.random, self.failed, self.answered, self.is_failing = application, random.Random(7), 0, 0, False
+        self.application, self.random, self.is_failing = application, random.Random(7), False
+        self.answered, self.failed, self.damaged = 0, 0, 0
         self.lock = threading.Lock()
 
     def __call__(self, environment, start):
+        is_level = environment["REQUEST_METHOD"] == "PUT" and environment["PATH_INFO"].endswith(".glb")
         with self.lock:
             self.answered += 1
             fails = self.is_failing and self.random.random() < FAILING_SHARE
+            damages = self.is_failing and is_level and not fails and self.random.random() < DAMAGED_SHARE
             self.failed += fails
+            self.damaged += damages
         if fails:
             # What was sent is read, or the connection could not be used again.
             environment["wsgi.input"].read(int(environment.get("CONTENT_LENGTH") or 0))
             start("503 Slow Down", [("Content-Length", "0")])
             return [b""]
+        if damages:
+            content = bytearray(environment["wsgi.input"].read(int(environment["CONTENT_LENGTH"])))
+            content[len(content) // 2] ^= 1
+            environment["wsgi.input"] = io.BytesIO(content)
         return self.application(environment, start)
 
 
@@ -66,17 +80,38 @@ def start_nodes():
     return cluster, nodes
 
 
-def lose_a_node(cluster, node, system, after: int, events: list[str]) -> None:
-    """Takes a node away without notice, once some units are done."""
-    records = f"{BUCKET}/run/.cluster/records"
+def wait_for_units(system, count: int) -> int:
+    """Waits until so many units are done; how many are."""
     while True:
+        # The store fails, and the folder is not there at first.
         with contextlib.suppress(Exception):
             system.invalidate_cache()
-            if len(system.ls(records)) >= after:
-                break
-        time.sleep(0.2)
+            if (done := len(system.ls(f"{BUCKET}/run/.cluster/records"))) >= count:
+                return done
+        time.sleep(0.1)
+
+
+def busy_workers(endpoint: str) -> list[int]:
+    """The workers of this cluster that are baking: it alone knows the endpoint."""
+    found = []
+    for process in filter(lambda path: path.name.isdigit(), Path("/proc").iterdir()):
+        with contextlib.suppress(OSError):
+            is_ours = (process / "cmdline").read_bytes().startswith(WORKER) and endpoint.encode() in (process / "environ").read_bytes()
+            if is_ours and any(child.read_text().strip() for child in process.glob("task/*/children")):
+                found.append(int(process.name))
+    return found
+
+
+def break_things(cluster, node, system, endpoint: str, events: list[str]) -> None:
+    """Kills a worker in the middle of a unit, and later takes a node away without notice."""
+    done = wait_for_units(system, 1)
+    while not (workers := busy_workers(endpoint)):
+        time.sleep(0.02)
+    os.kill(workers[0], signal.SIGKILL)
+    events.append(f"a worker killed after {done} units")
+    done = wait_for_units(system, done + 1)
     cluster.remove_node(node, allow_graceful=False)
-    events.append(f"node lost after {len(system.ls(records))} units")
+    events.append(f"a node lost after {done} units")
 
 
 def run_driver(arguments: list[str]) -> tuple[int, str, float]:
@@ -110,20 +145,21 @@ def main(plans: str, whole: str, units: str) -> int:
     system.mkdir(BUCKET)
     nodes_of_ray, nodes = start_nodes()
     events: list[str] = []
-    loser = threading.Thread(target=lose_a_node, args=(nodes_of_ray, nodes[0], system, 2, events), daemon=True)
-    loser.start()
+    breaker = threading.Thread(target=break_things, args=(nodes_of_ray, nodes[0], system, url, events), daemon=True)
+    breaker.start()
     store.is_failing = True
     command = ["bake", plans, "--to", f"s3://{BUCKET}/run", "--ray", "--units", units, "--", "--textures", "none"]
     code, text, seconds = run_driver(command)
-    loser.join(60)
+    breaker.join(60)
     again_code, again_text, again_seconds = run_driver(command)
-    answered, failed = store.answered, store.failed
+    answered, failed, damaged = store.answered, store.failed, store.damaged
     store.is_failing = False
     wrong = differing(system, Path(whole))
     kept_all = bool(re.search(rf"0 units baked, {units} kept", again_text))
     print(json.dumps({"first": [code, round(seconds, 1), text], "second": [again_code, round(again_seconds, 1), again_text],
-                      "events": events, "requests": answered, "failed_requests": failed, "differing_files": wrong}, indent=1))
-    return 0 if (code, again_code, wrong) == (0, 0, []) and kept_all and events else 1
+                      "events": events, "requests": answered, "failed_requests": failed, "damaged_levels": damaged,
+                      "differing_files": wrong}, indent=1))
+    return 0 if (code, again_code, wrong) == (0, 0, []) and kept_all and len(events) == 2 else 1
 
 
 if __name__ == "__main__":

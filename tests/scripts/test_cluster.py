@@ -19,7 +19,7 @@ from distributed import job as jobs
 from distributed.failure import Failure
 from distributed.inputs import pack
 from distributed.sizing import UNIT_SECONDS, cut, cut_into, read_costs
-from distributed.store import Folder, repeated
+from distributed.store import Folder, Objects, repeated
 
 SCRIPT = ROOT / "scripts" / "cluster.py"
 TEMPLATES = ROOT / "docs" / "cluster"
@@ -191,13 +191,80 @@ def test_a_store_that_fails_for_a_while_is_asked_again(monkeypatch, tmp_path):
         repeated(refuse)
 
 
-def test_a_file_that_arrives_cut_short_is_sent_again(monkeypatch, tmp_path):
+class Bucket:
+    """A store of objects that says an ETag, in the words of fsspec; it spoils the first files that it is sent."""
+
+    def __init__(self, spoil=lambda content: content, tag=lambda content: hashlib.md5(content).hexdigest()):
+        self.files, self.spoiled, self.spoil, self.tag = {}, 0, spoil, tag
+
+    def pipe_file(self, name: str, content: bytes) -> None:
+        spoils = name not in self.files
+        self.spoiled += spoils
+        self.files[name] = self.spoil(content) if spoils else content
+
+    def put_file(self, path: str, name: str) -> None:
+        self.pipe_file(name, Path(path).read_bytes())
+
+    def cat_file(self, name: str) -> bytes:
+        return self.files[name]
+
+    def info(self, name: str) -> dict:
+        if name not in self.files:
+            raise FileNotFoundError(name)
+        return {"size": len(self.files[name]), "ETag": f'"{self.tag(self.files[name])}"'}
+
+    def invalidate_cache(self) -> None:
+        """Nothing is kept."""
+
+    def store(self) -> Objects:
+        store = Objects.__new__(Objects)
+        store.system, store.root = self, "bucket"
+        return store
+
+
+@pytest.mark.parametrize("spoil", [lambda content: content[:-1] + b"?", lambda content: content[:3]])
+def test_a_file_that_arrives_altered_or_cut_short_is_sent_again(monkeypatch, tmp_path, spoil):
     monkeypatch.setattr("distributed.store.FIRST_PAUSE", 0.0)
-    store = Folder(tmp_path)
-    write, sent = store._write, []
-    store._write = lambda name, content: (sent.append(name), write(name, content[: 2 if len(sent) == 1 else None]))
-    store.write("a/b.glb", b"content")
-    assert sent == ["a/b.glb"] * 2 and store.read("a/b.glb") == b"content"
+    bucket = Bucket(spoil)
+    (tmp_path / "1.glb").write_bytes(b"a level")
+    store = bucket.store()
+    store.put(tmp_path / "1.glb", "a/1.glb")
+    store.write("record.json", b"content")
+    assert bucket.spoiled == 2 and bucket.files == {"bucket/a/1.glb": b"a level", "bucket/record.json": b"content"}
+    (tmp_path / "1.glb").write_bytes(b"a l3vel")
+    assert not store.holds(tmp_path / "1.glb", "a/1.glb") and store.has("a/1.glb")
+
+
+@pytest.mark.parametrize("tag", [lambda content: "0" * 32, lambda content: "0" * 32 + "-2"])
+def test_tags_that_are_no_hash_of_the_content_stop_nothing(tmp_path, tag):
+    bucket = Bucket(tag=tag)
+    store = bucket.store()
+    store.write("record.json", b"content")
+    store.write("record.json", b"others")
+    assert bucket.files == {"bucket/record.json": b"others"}
+
+
+@needs_program
+def test_a_file_that_the_disk_of_a_machine_damages_reaches_no_store(city):
+    mark = city.folder / "mark"
+    body = f"""case "$*" in *"--shard 3/"*) if mkdir "{mark}" 2>/dev/null; then
+  "{PROGRAM}" "$@"; code=$?
+  out=$(echo "$*" | sed 's/.*--out \\([^ ]*\\).*/\\1/')
+  for level in "$out"/*/*.glb; do printf '?' | dd of="$level" bs=1 seek=99 conv=notrunc 2>/dev/null; break; done
+  exit $code
+fi;; esac"""
+    done = city.bake("--program", failing_program(city.folder, body))
+    assert "1 attempts repeated" in done.stdout
+    city.assert_is_whole()
+    errors = [json.loads(path.read_text()) for path in (city.store / jobs.ERRORS).iterdir()]
+    assert len(errors) == 1 and "is not what the bake recorded" in errors[0]["reason"]
+
+
+@needs_program
+def test_tiles_are_refused_before_any_work(city):
+    refused = city.run("bake", city.plans, "--to", city.store, "--", "--format", "tiles", code=2)
+    assert "does not go with the format tiles" in refused.stderr and "roomwright tiles OUT" in refused.stderr
+    assert not city.store.exists()
 
 
 def test_only_the_first_of_two_drivers_creates_a_job(tmp_path):
