@@ -54,6 +54,7 @@ fn pythons() -> Vec<PathBuf> {
 fn needs(script: &str) -> (&'static str, bool) {
     match script {
         "scripts/validate.py" => ("numpy, shapely, trimesh, pxr, tqdm, jsonschema", true),
+        "scripts/cluster.py" => ("json", false),
         "scripts/blender_import.py" | "scripts/blender_export.py" => ("bpy", false),
         _ => ("numpy, pxr, tqdm", false),
     }
@@ -145,6 +146,7 @@ impl Newcomer {
         let mut command = Command::new("sh");
         command.args(["-c", line]).current_dir(self.world.path(".")).env("PATH", &self.path);
         command.env("ROOMWRIGHT_CACHE", self.world.path("cache")).stdin(Stdio::null());
+        command.env("ROOMWRIGHT_CLUSTER_FOLDER", self.world.path("node"));
         command
     }
 

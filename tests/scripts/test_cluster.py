@@ -385,6 +385,18 @@ def test_the_steps_of_openjd_do_all_units_and_the_merge(prepared):
     prepared.assert_is_whole()
 
 
+@needs_program
+def test_the_commands_of_the_page_work_as_they_are_written(city):
+    text = (ROOT / "docs" / "cluster.md").read_text(encoding="utf-8")
+    lines = [line.split()[2:] for line in text.splitlines() if line.startswith("    python scripts/cluster.py ")]
+    assert {line[0] for line in lines} == {"bake", "status", "prepare", "unit", "merge"}
+    # A folder stands for the bucket; Ray has a test of its own.
+    places = {"plans/": str(city.plans), "s3://bucket/city": str(city.store), "out": str(city.folder / "out")}
+    for line in lines:
+        city.run(*(places.get(word, word) for word in line if word not in ("--ray", "--address", "auto")))
+    assert (city.folder / "out" / "manifest.json").exists() and (city.store / "manifest.json").exists()
+
+
 CLUSTER_LACKS = lacks("ray", "moto", "s3fs", "flask")
 
 
