@@ -30,11 +30,12 @@ from distributed.failure import Failure
 from distributed.inputs import Inputs, pack, unpack
 from distributed.job import Job
 from distributed.listing import Division, check_packed, list_levels
+from distributed.node import cache_of
 from distributed.program import find_program
 from distributed.progress import Progress, done_units, status
 from distributed.report import merge, summary
 from distributed.sizing import cut, cut_into, measure, read_costs, room_count
-from distributed.store import open_store
+from distributed.store import digest, open_store
 from distributed.unit import FAILED, FLAWED, KEPT, Outcome, run_unit
 
 DONE, SOME_FAILED, NOT_STARTED = 0, 1, 2
@@ -71,7 +72,8 @@ def divide(program: Path, inputs: Inputs, listed: dict, options: argparse.Namesp
         if options.units is not None:
             return Division(listed, cut_into([costs.of(level) for level in levels], options.units))
         arguments = [*inputs.arguments, *options.bake_options]
-        sample = measure(program, Path(folder), arguments, listed, Path(folder) / "cache")
+        # The units of this machine find the textures and models of the sample.
+        sample = measure(program, Path(folder), arguments, listed, cache_of(digest(program, "sha256")))
     units = cut([costs.of(level) * sample.scale for level in levels], workers, sample.start_seconds)
     total = sum(map(costs.of, levels)) * sample.scale
     print(f"{room_count(levels)} rooms on {len(levels)} levels at {1000 * total / max(1, room_count(levels)):.1f} ms (measured with "

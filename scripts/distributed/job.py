@@ -10,7 +10,7 @@ from pathlib import Path
 from .failure import Failure
 from .inputs import Inputs
 from .listing import Division
-from .store import Store
+from .store import Store, digest
 
 # Names of levels never begin with a dot.
 FOLDER = ".cluster"
@@ -78,7 +78,7 @@ def check_options(options: list[str]) -> None:
 def new_job(program: Path, inputs: Inputs, options: list[str], division: Division) -> Job:
     levels = division.listed["levels"]
     rooms = sum(sum(level["rooms"].values()) for level in levels)
-    return Job(hashlib.sha256(program.read_bytes()).hexdigest(), inputs.sha256, [*inputs.arguments, *options],
+    return Job(digest(program, "sha256"), inputs.sha256, [*inputs.arguments, *options],
                len(division.units), len(levels), rooms, division.sha256)
 
 

@@ -30,20 +30,32 @@ class Node(NamedTuple):
 
 def prepare(store: Store, job: Job) -> Node:
     """Fetches what is not here yet. Several processes may do so at the same time."""
+    folder = home()
+    own = folder / job.key
+    if not own.is_dir():
+        fetch(store, job, own)
+    scratch = folder / "scratch"
+    scratch.mkdir(exist_ok=True)
+    sweep(scratch)
+    return Node(own / "roomwright", own / "inputs", cache_of(job.program), scratch)
+
+
+def home() -> Path:
+    """The folder of this machine for all jobs."""
     default = Path(tempfile.gettempdir()) / f"roomwright-cluster-{getattr(os, 'getuid', int)()}"
     folder = Path(os.environ.get(FOLDER_VARIABLE, default))
     folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     # Others could put a program of theirs into a folder that is not ours alone.
     if hasattr(os, "getuid") and folder.stat().st_uid != os.getuid():
         raise Failure(f"{folder} belongs to somebody else; name another folder with {FOLDER_VARIABLE}")
-    own = folder / job.key
-    if not own.is_dir():
-        fetch(store, job, own)
-    cache, scratch = folder / f"cache-{job.program[:16]}", folder / "scratch"
-    for made in (cache, scratch):
-        made.mkdir(exist_ok=True)
-    sweep(scratch)
-    return Node(own / "roomwright", own / "inputs", cache, scratch)
+    return folder
+
+
+def cache_of(program: str) -> Path:
+    """The textures and models of a program, by its hash."""
+    cache = home() / f"cache-{program[:16]}"
+    cache.mkdir(exist_ok=True)
+    return cache
 
 
 def fetch(store: Store, job: Job, own: Path) -> None:

@@ -8,8 +8,8 @@ these options are from them.
 from __future__ import annotations
 
 import json
+import os
 import tempfile
-import time
 from pathlib import Path
 from typing import NamedTuple
 
@@ -19,13 +19,14 @@ from .program import run
 
 # Levels of the sample.
 SAMPLE_LEVELS = 24
-# Seconds of the largest units: what a lost machine costs.
+# Seconds of the largest units, if the plans are read soon: what a lost machine costs.
 UNIT_SECONDS = 45.0
 # A unit takes at most this part of what is left for each worker, so that units become smaller towards the end and the last
 # ones end together (guided self-scheduling; C. Polychronopoulos and D. Kuck, 1987).
 PART_OF_REST = 1 / 3
-# Reading the plans takes a tenth of the smallest units at most.
+# Reading the plans takes a tenth of the smallest units at most, and a thirtieth of the others.
 SMALLEST_IN_STARTS = 10.0
+LARGEST_IN_STARTS = 30.0
 
 
 class Costs(NamedTuple):
@@ -41,7 +42,7 @@ class Costs(NamedTuple):
 
 
 class Sample(NamedTuple):
-    """What a sample cost on one thread of this machine, without reading the plans."""
+    """What a sample cost on one thread of this machine, without reading the plans, in seconds of its processor."""
 
     rooms: int
     seconds: float
@@ -64,24 +65,32 @@ def measure(program: Path, folder: Path, arguments: list[str], listed: dict, cac
     levels, times = listed["levels"], []
     chosen = levels[:: max(1, len(levels) // SAMPLE_LEVELS)]
     with tempfile.TemporaryDirectory(prefix="roomwright-sample-") as scratch:
-        for name, some in (("none", []), ("some", chosen)):
-            file = Path(scratch) / f"{name}.json"
+        # The first run of the sample makes textures and models, which units find on their machine.
+        for number, some in enumerate(([], chosen, chosen)):
+            file = Path(scratch) / f"{number}.json"
             file.write_text(json.dumps({"program": listed["program"], "levels": some}), encoding="utf-8")
-            started = time.monotonic()
-            ran = run(program, "bake", *arguments, "--out", f"{scratch}/{name}", "--shard", "1/1", "--only-levels", str(file),
+            started = spent()
+            ran = run(program, "bake", *arguments, "--out", f"{scratch}/{number}", "--shard", "1/1", "--only-levels", str(file),
                       "--threads", "1", "--cache", str(cache), "--progress", "none", folder=folder)
-            times.append(time.monotonic() - started)
+            times.append(spent() - started)
             if ran.code not in (0, 1) or "totals" not in ran.answer:
                 raise Failure(f"a sample of the levels could not be baked:\n{ran.errors}")
-    start, work = times[0], max(1e-3, times[1] - times[0])
+    start, _, both = times
+    work = max(1e-3, both - start)
     costs = read_costs()
     return Sample(room_count(chosen), work, start, work / sum(map(costs.of, chosen)))
+
+
+def spent() -> float:
+    """Processor time of the processes that ended, which other work on the machine does not lengthen; seconds where it is not counted."""
+    times = os.times()
+    return times.children_user + times.children_system if os.name == "posix" else times.elapsed
 
 
 def cut(seconds: list[float], workers: int, start_seconds: float) -> list[range]:
     """Consecutive levels as units, the longest units first: whoever takes them in this order ends with short ones."""
     left = sum(seconds)
-    most = max(UNIT_SECONDS, 2 * left / MOST_UNITS)
+    most = max(UNIT_SECONDS, LARGEST_IN_STARTS * start_seconds, 2 * left / MOST_UNITS)
     least = min(most, max(SMALLEST_IN_STARTS * start_seconds, left / MOST_UNITS))
     units, begin, spent = [], 0, 0.0
     target = size_of(left, workers, least, most)
