@@ -122,7 +122,7 @@ fn records_that_miss_a_share_or_contradict_each_other_are_not_joined() {
         assert!(!world.path("records/manifest.json").exists());
     };
     refused(&["1/4", "3/4"], None, "lacks 2 of 4 parts: 2, 4");
-    refused(&["1/2", "2/3"], None, "of 2, of 3 shares");
+    refused(&["1/2", "2/3"], None, "of 2 shares, of 3 shares");
     refused(&[], Some("1"), "lacks 2 of 3 parts");
     refused(&["1/3", "2/3", "3/3"], Some("2"), "otherwise than");
 }
