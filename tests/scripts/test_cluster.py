@@ -299,6 +299,11 @@ def test_units_become_shorter_towards_the_end_and_are_no_more_than_levels():
     assert len(cut([1e4] * 50_000, workers=8, start_seconds=1.0)) <= jobs.MOST_UNITS
 
 
+def test_plans_that_take_long_to_read_are_read_by_fewer_units():
+    units = cut([1.0] * 10_000, workers=4, start_seconds=6.0)
+    assert len(units) * 6.0 < 0.05 * 10_000 and len(units) > 4
+
+
 def test_one_large_level_is_a_unit_of_its_own_and_the_first():
     units = cut([1.0] * 50 + [40.0] + [1.0] * 50, workers=2, start_seconds=0.01)
     assert units[0].stop == 51 and len(units[0]) <= 51 and all(50 not in unit for unit in units[1:])
