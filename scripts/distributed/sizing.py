@@ -17,8 +17,9 @@ from .failure import Failure
 from .job import MOST_UNITS
 from .program import run
 
-# Levels of the sample.
-SAMPLE_LEVELS = 24
+# Levels of the sample: this part of all, within these bounds. It is baked twice.
+SAMPLE_PART = 0.005
+LEAST_SAMPLE, LARGEST_SAMPLE = 3, 24
 # Seconds of the largest units, if the plans are read soon: what a lost machine costs.
 UNIT_SECONDS = 45.0
 # A unit takes at most this part of what is left for each worker, so that units become smaller towards the end and the last
@@ -63,7 +64,7 @@ def room_count(levels: list[dict]) -> int:
 def measure(program: Path, folder: Path, arguments: list[str], listed: dict, cache: Path) -> Sample:
     """Bakes some of the levels, and none of them for the time that every unit takes to read the plans."""
     levels, times = listed["levels"], []
-    chosen = levels[:: max(1, len(levels) // SAMPLE_LEVELS)]
+    chosen = sample_of(levels)
     with tempfile.TemporaryDirectory(prefix="roomwright-sample-") as scratch:
         # The first run of the sample makes textures and models, which units find on their machine.
         for number, some in enumerate(([], chosen, chosen)):
@@ -79,6 +80,12 @@ def measure(program: Path, folder: Path, arguments: list[str], listed: dict, cac
     work = max(1e-3, both - start)
     costs = read_costs()
     return Sample(room_count(chosen), work, start, work / sum(map(costs.of, chosen)))
+
+
+def sample_of(levels: list[dict]) -> list[dict]:
+    """Levels from all over the plans."""
+    count = min(LARGEST_SAMPLE, max(LEAST_SAMPLE, round(SAMPLE_PART * len(levels))))
+    return levels[:: max(1, len(levels) // count)][:count]
 
 
 def spent() -> float:

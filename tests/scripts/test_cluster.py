@@ -18,7 +18,7 @@ from conftest import ROOT
 from distributed import job as jobs
 from distributed.failure import Failure
 from distributed.inputs import pack
-from distributed.sizing import UNIT_SECONDS, cut, cut_into, read_costs
+from distributed.sizing import UNIT_SECONDS, cut, cut_into, read_costs, sample_of
 from distributed.store import Folder, Objects, repeated
 
 SCRIPT = ROOT / "scripts" / "cluster.py"
@@ -302,6 +302,12 @@ def test_units_become_shorter_towards_the_end_and_are_no_more_than_levels():
 def test_plans_that_take_long_to_read_are_read_by_fewer_units():
     units = cut([1.0] * 10_000, workers=4, start_seconds=6.0)
     assert len(units) * 6.0 < 0.05 * 10_000 and len(units) > 4
+
+
+def test_a_sample_is_a_small_part_of_many_levels_and_comes_from_all_over_them():
+    for count, expected in ((2, 2), (100, 3), (1000, 5), (100_000, 24)):
+        sample = sample_of(list(range(count)))
+        assert len(sample) == expected and sample[-1] >= count / 2
 
 
 def test_one_large_level_is_a_unit_of_its_own_and_the_first():
