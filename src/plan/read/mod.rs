@@ -19,7 +19,9 @@ mod reader;
 mod readers;
 #[cfg(test)]
 pub(super) mod real_data;
+mod room_names;
 mod sample;
+mod sweet_home;
 mod unread;
 
 use std::collections::BTreeMap;

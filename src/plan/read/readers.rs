@@ -37,11 +37,11 @@
 //! | a fault of a file without a place | `Fault::of_file(path, message)` |
 
 use super::reader::{ForeignFormat, ReadFormat};
-use super::{archilyse, ifc, imdf, outlines};
+use super::{archilyse, ifc, imdf, outlines, sweet_home};
 
 /// All formats but the native one, in the order in which they are asked.
 pub(crate) const FOREIGN_FORMATS: &[ForeignFormat] =
-    &[archilyse::FORMAT, imdf::FORMAT, ifc::FORMAT, outlines::FORMAT];
+    &[archilyse::FORMAT, imdf::FORMAT, ifc::FORMAT, sweet_home::FORMAT, outlines::FORMAT];
 
 /// The formats of this program itself.
 const OWN_FORMATS: [ReadFormat; 2] = [

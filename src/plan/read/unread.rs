@@ -29,7 +29,6 @@ pub(crate) const UNREAD_KINDS: &[UnreadKind] = &[
         |file| file.begins(b"glTF"),
         "it is what `bake` writes: `roomwright audit` judges it",
     ),
-    kind("a Sweet Home 3D home (.sh3d)", |file| file.is_of(&["sh3d"]) || file.is_xml("home"), OTHER_PLANS),
     kind("IFC in a ZIP archive (.ifczip)", |file| file.is_of(&["ifczip"]), UNPACK),
     kind("a USD archive (.usdz)", |file| file.is_of(&["usdz"]), "it is what convert.py writes, no plan"),
     kind("a ZIP archive", |file| file.begins(b"PK\x03\x04") || file.begins(b"PK\x05\x06"), UNPACK),
@@ -226,7 +225,7 @@ mod tests {
             ("a.dxf", "  0\r\nSECTION\r\n  2\r\nHEADER", "a DXF drawing"),
             ("a", "0\nSECTION\n", "a DXF drawing"),
             ("a.zip", "PK\u{3}\u{4}", "a ZIP archive"),
-            ("a.sh3d", "PK\u{3}\u{4}", "a Sweet Home 3D home (.sh3d)"),
+            ("a.sh3d", "PK\u{3}\u{4}", "a ZIP archive"),
             (
                 "a.xml",
                 "<?xml version='1.0'?>\n<!-- <svg> -->\n<osm version='0.6'>",

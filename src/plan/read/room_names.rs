@@ -1,0 +1,77 @@
+//! Finds the room types of names that people give to rooms, in many languages: the longest known words in them.
+
+use crate::plan::{GENERIC_ROOM_TYPE, RoomWords};
+
+/// The room type of the longest run of words that the table of one of the formats knows; of equals the last, which mostly
+/// carries the sense ("kitchen store").
+pub(super) fn type_of_words<'a>(table: &'a RoomWords, formats: &[&str], words: &[String]) -> Option<&'a str> {
+    // Names of rooms are short; what goes on for long is a remark.
+    const LONGEST: usize = 12;
+    let words = &words[..words.len().min(LONGEST)];
+    let runs = (1..=words.len()).rev().flat_map(|length| words.windows(length).rev());
+    let of_run = |run: &[String]| {
+        let run = run.join(" ");
+        formats.iter().find_map(|format| table.room_type(format, &run))
+    };
+    most_telling(runs.filter_map(of_run))
+}
+
+/// The first type, but that of generic rooms only where there is no other: an "office space" is an office.
+pub(super) fn most_telling<'a>(types: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let types: Vec<&str> = types.collect();
+    types.iter().find(|kind| **kind != GENERIC_ROOM_TYPE).or(types.first()).copied()
+}
+
+/// The words of a text in lower case, without numbers: "Bedroom 2.04" is a bedroom.
+pub(super) fn plain_words(text: &str) -> Vec<String> {
+    let words = text.split(|letter: char| !letter.is_alphanumeric());
+    let words = words.filter(|word| !word.is_empty() && !word.chars().any(char::is_numeric));
+    words.map(str::to_lowercase).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalog::load_catalog;
+    use crate::plan::read::real_data::published;
+
+    #[test]
+    fn numbers_and_signs_are_not_room_words() {
+        assert_eq!(plain_words("A-102 Living Room"), ["a", "living", "room"]);
+        assert_eq!(plain_words("WC/Dusche 1.04"), ["wc", "dusche"]);
+        assert!(plain_words("2.14").is_empty());
+    }
+
+    #[test]
+    fn the_longest_known_run_counts_and_the_last_of_equals() {
+        let table = [
+            ("living room", "living_room"),
+            ("room", "room"),
+            ("kitchen", "kitchen"),
+            ("store", "storeroom"),
+            ("space", "generic"),
+        ];
+        let table = table.map(|(word, kind)| (word.to_owned(), kind.to_owned()));
+        let words = RoomWords { words: [("ifc".to_owned(), table.into())].into(), ..RoomWords::default() };
+        let known = |text: &str| type_of_words(&words, &["ifc"], &plain_words(text));
+        assert_eq!(known("Large Living Room 3"), Some("living_room"));
+        assert_eq!(known("Kitchen store"), Some("storeroom"));
+        assert_eq!(known("Kitchen space"), Some("kitchen"), "a space is no more than a room");
+        assert_eq!(known("Space 12"), Some("generic"));
+        assert_eq!(known("Planetarium"), None);
+    }
+
+    #[test]
+    fn each_published_function_of_rooms_is_more_than_a_room() {
+        let table = load_catalog(&[]).expect("the built-in catalogue is sound").value.room_words;
+        let type_of = |word: &str| type_of_words(&table, &["ifc"], &plain_words(word));
+        for vocabulary in ["omniclass", "din_277"] {
+            let mut words = published(vocabulary);
+            assert!(words.len() > 100, "{vocabulary}");
+            words.retain(|word| matches!(type_of(word), None | Some(GENERIC_ROOM_TYPE)));
+            assert!(words.is_empty(), "{vocabulary}: {words:?}");
+        }
+        assert_eq!(type_of("13-15 31 11: Control Room"), Some("security"), "and no bedroom");
+        assert_eq!(type_of("Assembly Hall"), Some("auditorium"), "and no corridor");
+    }
+}

@@ -1,0 +1,186 @@
+//! Drafts the rooms of a level: their outlines, ids and types.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::NAME;
+use super::faces::{Bodies, Space};
+use super::faults::Notes;
+use super::home::{HomeRoom, Piece};
+use crate::geometry::{Bounds, Point, ring_contains};
+use crate::plan::assemble::BoxIndex;
+use crate::plan::limits::LEVEL_ROOMS;
+use crate::plan::read::foreign::{TypeOfWord, slug};
+use crate::plan::read::native::number_of_id;
+use crate::plan::read::room_names::{plain_words, type_of_words};
+use crate::plan::{RoomDraft, RoomWords};
+
+/// Rooms of a level that are compared with its walls; larger levels are no homes.
+const MOST_COMPARED: usize = 5_000;
+
+/// Gives rooms their types, and remembers the words that no table has.
+pub(super) struct Naming<'a> {
+    pub(super) words: &'a RoomWords,
+    /// Word → (its first place, how many rooms have it).
+    pub(super) unknown: BTreeMap<String, (usize, usize)>,
+}
+
+impl Naming<'_> {
+    /// The type of a room; one without a name is guessed without a word about it.
+    fn type_of(&mut self, room: &HomeRoom) -> TypeOfWord {
+        let words = plain_words(room.name.as_deref().unwrap_or_default());
+        if let Some(found) = type_of_words(self.words, &[NAME, "ifc"], &words) {
+            return TypeOfWord::known(&words.join(" "), found);
+        }
+        let said = words.join(" ");
+        if !said.is_empty() {
+            self.unknown.entry(said.clone()).or_insert((room.place, 0)).1 += 1;
+        }
+        TypeOfWord::unknown(&said)
+    }
+}
+
+/// The rooms of a level as they are drawn, cut back where they are drawn into the walls.
+pub(super) fn drawn_rooms(
+    rooms: &[&HomeRoom],
+    bodies: &Bodies<'_>,
+    naming: &mut Naming<'_>,
+    notes: &mut Notes,
+) -> Vec<RoomDraft> {
+    let mut ids = Ids::default();
+    let is_compared = rooms.len() <= MOST_COMPARED && !bodies.are_tangled();
+    let mut cut_count = 0;
+    let mut first_cut = None;
+    let mut drafts = Vec::new();
+    for room in rooms.iter().take(LEVEL_ROOMS) {
+        if room.outline.len() < 3 {
+            let count = room.outline.len();
+            notes.error(room.place, format!("a room has {count} corners"), "it is left out; draw it again");
+            continue;
+        }
+        let cut = if is_compared { bodies.cut_back(&room.outline) } else { None };
+        if cut.is_some() {
+            cut_count += 1;
+            first_cut = first_cut.or(Some(room.place));
+        }
+        let Space { outline, holes } =
+            cut.unwrap_or_else(|| Space { outline: room.outline.clone(), holes: Vec::new() });
+        let TypeOfWord { room_type, unknown_word } = naming.type_of(room);
+        let id = ids.free(room.name.as_deref().unwrap_or_default(), room.id.as_deref());
+        let number = ids.free_number(&id);
+        let name = room.name.clone();
+        drafts.push(RoomDraft {
+            id,
+            number,
+            name,
+            room_type,
+            unknown_word,
+            outline,
+            holes,
+            ..RoomDraft::default()
+        });
+    }
+    if let Some(place) = first_cut {
+        let rooms = if cut_count == 1 { "1 room is".to_owned() } else { format!("{cut_count} rooms are") };
+        let message = format!("{rooms} drawn into the walls and cut back to their faces");
+        notes.warn(place, message, "double-click between the walls with the tool for rooms to draw one that fits");
+    }
+    drafts
+}
+
+/// The areas that the walls of a level enclose, as rooms without a name.
+pub(super) fn enclosed_rooms(bodies: &Bodies<'_>) -> Vec<RoomDraft> {
+    let mut ids = Ids::default();
+    let rooms = bodies.enclosed().into_iter().map(|Space { outline, holes }| {
+        let TypeOfWord { room_type, unknown_word } = TypeOfWord::unknown("");
+        let id = ids.free("room", None);
+        let number = ids.free_number(&id);
+        RoomDraft { id, number, room_type, unknown_word, outline, holes, ..RoomDraft::default() }
+    });
+    rooms.take(LEVEL_ROOMS).collect()
+}
+
+/// Notes in each room what stands in it, for guesses of its type.
+pub(super) fn note_fixtures(rooms: &mut [RoomDraft], pieces: &[&Piece]) {
+    let index = RoomIndex::of(rooms);
+    for piece in pieces.iter().filter(|piece| piece.cut.is_none()) {
+        if let Some(room) = index.at(rooms, piece.center) {
+            rooms[room].fixtures.extend(words_of(piece));
+        }
+    }
+}
+
+/// The words of a piece: those of its name, which people translate, and of its id, which they do not.
+fn words_of(piece: &Piece) -> BTreeSet<String> {
+    let id = piece.catalog_id.as_deref().unwrap_or_default();
+    let id = id.rsplit('#').next().unwrap_or_default();
+    // `toiletUnit`, `bed140x190`
+    let mut spaced = String::new();
+    for letter in id.chars() {
+        if letter.is_uppercase() || letter.is_numeric() {
+            spaced.push(' ');
+        }
+        spaced.push(letter);
+    }
+    let mut words: BTreeSet<String> = plain_words(&spaced).into_iter().collect();
+    words.extend(plain_words(&piece.name));
+    if piece.is_staircase {
+        words.insert("stairs".to_owned());
+    }
+    words
+}
+
+/// Rooms by place.
+pub(super) struct RoomIndex(BoxIndex<usize>);
+
+impl RoomIndex {
+    pub(super) fn of(rooms: &[RoomDraft]) -> Self {
+        let boxes = rooms.iter().map(|room| Bounds::around(room.outline.iter().copied()));
+        Self(BoxIndex::of(boxes.zip(0..)))
+    }
+
+    /// The room in which a point lies; the first if rooms overlap.
+    pub(super) fn at(&self, rooms: &[RoomDraft], point: Point) -> Option<usize> {
+        /// Rooms drawn on each other that are looked at.
+        const MOST_LAYERS: usize = 64;
+        let mut near: Vec<usize> =
+            self.0.meeting(Bounds::around_point(point, 0.0)).take(MOST_LAYERS).collect();
+        near.sort_unstable();
+        near.into_iter().find(|room| ring_contains(&rooms[*room].outline, point))
+    }
+}
+
+/// Ids and numbers that are given already.
+#[derive(Default)]
+struct Ids {
+    taken: BTreeSet<String>,
+    numbers: BTreeSet<u32>,
+    /// Stem → the last number behind it.
+    copies: BTreeMap<String, usize>,
+}
+
+impl Ids {
+    /// An id from a name that people gave, else the id of the program that wrote the file, else a number.
+    fn free(&mut self, name: &str, own: Option<&str>) -> String {
+        let stem = slug(name);
+        let own = own.filter(|own| !own.is_empty() && !own.contains('/'));
+        let stem = match (stem.is_empty(), own) {
+            (false, _) => stem,
+            (true, Some(own)) => own.to_owned(),
+            (true, None) => "room".to_owned(),
+        };
+        let last = self.copies.entry(stem.clone()).or_default();
+        loop {
+            *last += 1;
+            let id = if *last == 1 { stem.clone() } else { format!("{stem}_{last}") };
+            if self.taken.insert(id.clone()) {
+                return id;
+            }
+        }
+    }
+
+    /// The number of an id, so that a room keeps its furniture when others are added before it.
+    fn free_number(&mut self, id: &str) -> Option<u32> {
+        let number = number_of_id(id);
+        self.numbers.insert(number).then_some(number)
+    }
+}
