@@ -9,8 +9,8 @@ use super::read::{Definitions, Files};
 use super::report::{Promised, Report};
 use super::resolve::{
     BuildingStyleWorld, Names, StyleWorld, resolve_audit, resolve_building_styles, resolve_classes,
-    resolve_households, resolve_palettes, resolve_room_types, resolve_styles, resolve_typologies,
-    resolve_words,
+    resolve_households, resolve_palettes, resolve_pieces, resolve_room_types, resolve_styles,
+    resolve_typologies, resolve_words,
 };
 use super::table::{Extends, Table};
 use super::{BuildingStyle, ById, Catalog, Class, DEFAULT_STYLE, DefinitionKind, Origin, Palette, Style};
@@ -98,6 +98,8 @@ fn resolve(definitions: &Definitions, files: &Files, report: &mut Report<'_>) ->
     check_indispensable(definitions, report);
 
     let classes: Vec<Class> = classes.into_iter().map(|resolved| resolved.class).collect();
+    let class_ids = definitions.classes.ids().collect();
+    room_words.pieces = resolve_pieces(&definitions.words, &class_ids, report);
     Catalog {
         digest: finish_digest(files.digest(), &classes, report),
         classes,

@@ -300,6 +300,20 @@ pub(crate) struct ImportedAnswer {
     pub(crate) rooms: usize,
     /// How many openings.
     pub(crate) openings: usize,
+    /// The edits file beside it, with `--keep-furniture` and if some furniture is kept.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) edits: Option<KeptFurnitureAnswer>,
+}
+
+/// Furniture of a plan that is kept in an edits file.
+#[derive(Serialize, JsonSchema)]
+pub(crate) struct KeptFurnitureAnswer {
+    /// The file.
+    pub(crate) path: String,
+    /// How many pieces are locked.
+    pub(crate) kept: usize,
+    /// How many pieces the plan draws.
+    pub(crate) drawn: usize,
 }
 
 /// `explain`.

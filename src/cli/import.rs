@@ -7,8 +7,9 @@ use super::arguments::{ImportArguments, SourceArguments};
 use super::exit::Outcome;
 use super::files::{Overwrite, write_text};
 use super::import_report;
+use super::kept_furniture::{FurnitureKeeper, KeptFile};
 use super::screen::Screen;
-use super::sources::read_plans_only;
+use super::sources::read_plans_and_catalog;
 use crate::batch::distinct_names;
 use crate::document::{Fault, Faults, counted, printable};
 use crate::plan::{InputReport, Level, PlacedBuilding, PlanReading, write_native};
@@ -22,11 +23,19 @@ struct Target<'a> {
     path: PathBuf,
 }
 
+/// A plan that was written.
+struct Written<'a> {
+    target: &'a Target<'a>,
+    /// Its furniture, if some was kept.
+    kept: Option<KeptFile>,
+}
+
 /// Runs the command.
 pub(crate) fn run(arguments: ImportArguments, screen: Screen) -> Outcome {
-    let ImportArguments { paths, out, force, catalog, report: is_report_wanted } = arguments;
-    let read = read_plans_only(&SourceArguments { paths, catalog, ..SourceArguments::default() });
-    let PlanReading { plan, mut faults, reports, .. } = match read {
+    let ImportArguments { paths, out, force, catalog, keep_furniture, report: is_report_wanted } = arguments;
+    let sources = SourceArguments { paths, catalog, ..SourceArguments::default() };
+    let read = read_plans_and_catalog(&sources, keep_furniture);
+    let (PlanReading { plan, mut faults, reports, .. }, catalog) = match read {
         Ok(read) => read,
         Err(faults) => {
             screen.faults(&faults);
@@ -40,13 +49,16 @@ pub(crate) fn run(arguments: ImportArguments, screen: Screen) -> Outcome {
             return Outcome::NotStarted;
         }
     };
+    let mut furniture = FurnitureKeeper::new(&catalog, Overwrite::forced(force));
     let mut written = Vec::new();
     for target in &targets {
         let text = write_native(&target.placed.building, &target.placed.id);
-        match write_text(&target.path, &text, Overwrite::forced(force)) {
-            Ok(()) => written.push(target),
-            Err(fault) => faults.merge(fault),
+        if let Err(fault) = write_text(&target.path, &text, Overwrite::forced(force)) {
+            faults.merge(fault);
+            continue;
         }
+        let kept = keep_furniture.then(|| furniture.keep(target.placed, &target.path, &mut faults));
+        written.push(Written { target, kept: kept.flatten() });
     }
     screen.faults(&faults);
     let reports = is_report_wanted.then_some(&reports[..]);
@@ -89,31 +101,35 @@ fn other_format(out: &Path) -> Option<Fault> {
 }
 
 /// The files written, and the reports of the readers if requested.
-fn report(written: &[&Target<'_>], faults: &Faults, reports: Option<&[InputReport]>, screen: Screen) {
-    let counts = |target: &&Target<'_>| {
-        let levels = &target.placed.building.levels;
+fn report(written: &[Written<'_>], faults: &Faults, reports: Option<&[InputReport]>, screen: Screen) {
+    let counts = |written: &Written<'_>| {
+        let levels = &written.target.placed.building.levels;
         let sum = |count: fn(&Level) -> usize| levels.iter().map(count).sum::<usize>();
         (levels.len(), sum(|level| level.rooms.len()), sum(|level| level.openings.len()))
     };
     if screen.is_json {
-        let building = |target: &&Target<'_>| {
-            let (levels, rooms, openings) = counts(target);
-            let path = target.path.display().to_string();
-            ImportedAnswer { id: target.placed.id.clone(), path, levels, rooms, openings }
+        let building = |written: &Written<'_>| {
+            let (levels, rooms, openings) = counts(written);
+            let path = written.target.path.display().to_string();
+            let edits = written.kept.as_ref().map(KeptFile::answer);
+            ImportedAnswer { id: written.target.placed.id.clone(), path, levels, rooms, openings, edits }
         };
         let buildings = written.iter().map(building).collect();
         screen.json(&ImportAnswer { buildings, faults: fault_answers(faults), report: reports });
         return;
     }
-    for target in written {
-        let (levels, rooms, openings) = counts(target);
-        let path = target.path.display();
+    for written in written {
+        let (levels, rooms, openings) = counts(written);
+        let path = written.target.path.display();
         screen.note(&printable(&format!(
             "{path}: {}, {}, {}",
             counted(levels, "level"),
             counted(rooms, "room"),
             counted(openings, "opening")
         )));
+        if let Some(kept) = &written.kept {
+            screen.note(&printable(&kept.in_words()));
+        }
     }
     for report in reports.into_iter().flatten() {
         screen.result(&import_report::text(report));

@@ -17,6 +17,7 @@ mod formats;
 mod import;
 mod import_report;
 mod init;
+mod kept_furniture;
 mod leftovers;
 mod level_lists;
 mod man;

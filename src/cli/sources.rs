@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::arguments::SourceArguments;
-use crate::catalog::{builtin_files, load_catalog, load_catalog_so_far};
+use crate::catalog::{Catalog, builtin_files, load_catalog, load_catalog_so_far};
 use crate::disk::TemporaryFolder;
 use crate::document::{Fault, Faults, Warned, did_you_mean};
 use crate::edits::read_edits;
@@ -88,15 +88,28 @@ fn all_faults(arguments: &SourceArguments) -> Faults {
 /// # Errors
 /// As [`read_sources`].
 pub(crate) fn read_plans_only(arguments: &SourceArguments) -> Result<PlanReading, Faults> {
+    read_plans_and_catalog(arguments, false).map(|(reading, _)| reading)
+}
+
+/// As [`read_plans_only`], with the catalogue that the words came from; `keeps_furniture` as in [`PlanOptions`].
+///
+/// # Errors
+/// As there.
+pub(crate) fn read_plans_and_catalog(
+    arguments: &SourceArguments,
+    keeps_furniture: bool,
+) -> Result<(PlanReading, Catalog), Faults> {
     let settings = project_settings(&arguments.paths)?;
     let folders: Vec<PathBuf> = settings.catalog.iter().chain(&arguments.catalog).cloned().collect();
     let Warned { value: catalog, warnings: mut faults } = load_catalog(&folders)?;
-    let reading = read_plans(
-        &arguments.paths,
-        &PlanOptions::new(&catalog.room_words).with_planning(&catalog.typologies, &arguments.choices()),
-    );
+    let choices = arguments.choices();
+    let options = PlanOptions::new(&catalog.room_words).with_planning(&catalog.typologies, &choices);
+    let reading = read_plans(&arguments.paths, &PlanOptions { keeps_furniture, ..options });
     faults.merge(reading.faults);
-    if reading.plan.buildings.is_empty() { Err(faults) } else { Ok(PlanReading { faults, ..reading }) }
+    match reading.plan.buildings.is_empty() {
+        true => Err(faults),
+        false => Ok((PlanReading { faults, ..reading }, catalog)),
+    }
 }
 
 /// The plans inside the program as files, for as long as the answer lives.

@@ -9,11 +9,13 @@
 //! - `file` is the format; `read` reads files as an [`EditBook`] and checks them;
 //! - `locks` gives locked objects as the layout takes them; `apply` edits a furnished room; `tree` has the objects in the frames
 //!   of their parents;
+//! - `drawn` locks furniture that a plan draws;
 //! - `capture` derives edits from a level before and after a change; `merge` puts new edits into those of a file.
 
 mod apply;
 mod book;
 mod capture;
+mod drawn;
 mod file;
 mod finish;
 mod locked;
@@ -30,6 +32,7 @@ mod write;
 
 pub use book::{EditBook, LevelEdits, RoomEdits};
 pub use capture::{Captured, capture};
+pub use drawn::{KeptFurniture, keep_drawn};
 pub use file::{EditsFile, RoomEntry};
 pub use finish::{Finished, finish, furnish_edited};
 pub use locked::lock_objects;

@@ -13,6 +13,8 @@ pub struct PlanOptions<'a> {
     pub words: &'a RoomWords,
     /// How buildings are planned of which only the outline is known; none where such maps are not read.
     pub planning: Option<Planning<'a>>,
+    /// Whether the furniture that files draw is kept apart from the plan, so that no reader need report it as left out.
+    pub keeps_furniture: bool,
 }
 
 /// How buildings are planned of which only the outline is known.
@@ -28,7 +30,7 @@ impl<'a> PlanOptions<'a> {
     /// Options for floor plans alone.
     #[must_use]
     pub fn new(words: &'a RoomWords) -> Self {
-        Self { words, planning: None }
+        Self { words, planning: None, keeps_furniture: false }
     }
 
     /// The same, with maps of outlines.

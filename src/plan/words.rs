@@ -16,6 +16,8 @@ pub struct RoomWords {
     pub households: BTreeSet<String>,
     /// format → word (lower case) → room type.
     pub words: BTreeMap<String, BTreeMap<String, String>>,
+    /// format → word for a piece of furniture (lower case) → its class.
+    pub pieces: BTreeMap<String, BTreeMap<String, String>>,
     /// Guesses for rooms with other words, by their looks: the first rule that fits counts.
     pub guesses: Vec<GuessRule>,
     /// Kinds of buildings, by the room types that are typical of them.
@@ -50,6 +52,13 @@ impl RoomWords {
         let found =
             self.words.values().find_map(|table| table.get(&word).or_else(|| table.get(plain.trim())))?;
         self.known.contains(found).then_some(found.as_str())
+    }
+
+    /// The class of a piece of furniture, by the first of the words that a format has.
+    #[must_use]
+    pub fn class_of_piece(&self, format: &str, words: &[&str]) -> Option<&str> {
+        let table = self.pieces.get(format)?;
+        words.iter().find_map(|word| table.get(&word.to_lowercase())).map(String::as_str)
     }
 
     /// The room type of a word in a format, or `None` where the table has no entry.

@@ -17,6 +17,10 @@ pub(crate) struct WordsFile {
     pub(crate) version: FormatVersion,
     /// Plan format, then word (in any case), then room type. Later folders add to earlier ones.
     pub(crate) formats: BTreeMap<String, BTreeMap<String, String>>,
+    /// Plan format, then word for a piece of furniture (in any case), then class, for `import --keep-furniture`. Later folders add to
+    /// earlier ones.
+    #[serde(default)]
+    pub(crate) pieces: BTreeMap<String, BTreeMap<String, String>>,
     /// Rules for rooms with other words: the first rule that fits counts. Those of later folders come before earlier ones.
     #[serde(default)]
     pub(crate) guesses: Vec<GuessRule>,

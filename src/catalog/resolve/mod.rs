@@ -32,7 +32,7 @@ pub(crate) use request::ResolvedProgramme;
 pub(crate) use room::{ResolvedRoomType, resolve_room_types};
 pub(crate) use style::{ResolvedStyle, StyleLines, StyleWorld, resolve_styles};
 pub(crate) use typologies::resolve_typologies;
-pub(crate) use words::resolve_words;
+pub(crate) use words::{resolve_pieces, resolve_words};
 
 use std::collections::BTreeMap;
 

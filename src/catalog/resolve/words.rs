@@ -1,7 +1,7 @@
 //! Resolves the room words of plan formats.
 
 use std::cmp::Ordering;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::catalog::file::{RoomTypeEntry, WordsFile};
 use crate::catalog::report::{Report, Spot};
@@ -37,6 +37,29 @@ pub(crate) fn resolve_words<'a>(
         }
     }
     words
+}
+
+/// Merges the classes of drawn furniture of all folders word by word, later ones first.
+pub(crate) fn resolve_pieces(
+    files: &[(usize, WordsFile)],
+    classes: &BTreeSet<&str>,
+    report: &mut Report<'_>,
+) -> BTreeMap<String, BTreeMap<String, String>> {
+    let mut pieces: BTreeMap<String, BTreeMap<String, String>> = BTreeMap::new();
+    for (source, file) in files {
+        for (format, table) in &file.pieces {
+            let spot = Spot { source: *source, path: vec!["pieces".into()] }.key(format);
+            let lowered = lower_words(table, &spot, report);
+            for (word, class) in &lowered {
+                if !classes.contains(class.as_str()) {
+                    report.unknown(&spot.key(word), "class", class, classes.iter().copied());
+                }
+            }
+            let lowered = lowered.into_iter().map(|(word, class)| (word.to_lowercase(), class.clone()));
+            pieces.entry(format.clone()).or_default().extend(lowered);
+        }
+    }
+    pieces
 }
 
 /// Adds the kinds of buildings of a file, and its rules before those of the files before it.

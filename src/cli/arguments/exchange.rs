@@ -19,6 +19,9 @@ pub(crate) struct ImportArguments {
     /// Further folders of configuration, for their room words.
     #[arg(long, value_name = "DIR")]
     pub(crate) catalog: Vec<PathBuf>,
+    /// Keep the furniture that the plan draws as locked objects, in an edits file beside each plan; kitchens and baths first.
+    #[arg(long)]
+    pub(crate) keep_furniture: bool,
     /// List what was read, attached to rooms and left out, level by level; with --json as part of the result.
     #[arg(long)]
     pub(crate) report: bool,

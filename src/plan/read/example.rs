@@ -34,6 +34,7 @@ const FORMAT: ForeignFormat = ForeignFormat {
     recognises,
     near_miss: |_| None,
     read: |path, options| read(path, options.words),
+    furniture: None,
 };
 /// First bytes of a file of the format.
 const SIGNATURE: &[u8] = b"rooms 1\n";

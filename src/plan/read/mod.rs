@@ -1,6 +1,7 @@
 //! Reads files as buildings: one reader for each format, and the code that they share. `readers.rs` says how to add a reader.
 
 pub(crate) mod archilyse;
+mod drawn;
 #[cfg(test)]
 mod example;
 mod finish;
@@ -34,9 +35,9 @@ use self::finish::{Drafted, Finished, Provenance, Variation, finish};
 #[cfg(test)]
 pub(crate) use {native::PlanFile, project::ProjectFile};
 
+pub use self::drawn::{DrawnPiece, drawn_furniture};
 pub(crate) use self::finish::finish_draft;
 pub(crate) use self::footprint::{Projection, SiteNotes, code_of};
-pub use self::ifc::{DrawnPiece, drawn_furniture};
 use self::inputs::{Input, find_inputs};
 use self::native::{NativeDraft, read_native};
 pub(crate) use self::outlines::{PlannedSite, read_and_plan};

@@ -34,6 +34,7 @@ pub(super) const FORMAT: ForeignFormat = ForeignFormat {
             ReadBuildings::new(planned.buildings.into_iter().map(drafted).collect(), planned.site.faults)?;
         Ok(ReadBuildings { origin, ..read })
     },
+    furniture: None,
 };
 
 /// A map with the plans of its buildings.

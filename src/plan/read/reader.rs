@@ -5,6 +5,7 @@ use std::path::Path;
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use super::drawn::DrawnPiece;
 use super::foreign::Parts;
 use crate::document::Faults;
 use crate::plan::{BuildingDraft, PlanOptions, SiteOrigin, SitePlacement};
@@ -35,6 +36,8 @@ pub(crate) struct ForeignFormat {
     pub(crate) near_miss: fn(&Path) -> Option<(&'static str, Parts)>,
     /// Reads all buildings of a file or folder. Ids come from the data or from the name of the file.
     pub(crate) read: fn(&Path, &PlanOptions<'_>) -> ReadResult,
+    /// Reads the furniture of a file, by the same ids of buildings and levels; `None` for formats without furniture.
+    pub(crate) furniture: Option<fn(&Path) -> Result<Vec<DrawnPiece>, Faults>>,
 }
 
 /// All buildings of a file or folder, or why there is none.

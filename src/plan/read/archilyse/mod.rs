@@ -43,6 +43,7 @@ pub(crate) const FORMAT: ForeignFormat = ForeignFormat {
     recognises,
     near_miss,
     read: |path, options| read(path, options.words),
+    furniture: None,
 };
 /// The file that makes a folder a site.
 const SITE_FILE: &str = "react_planner_projects.json";

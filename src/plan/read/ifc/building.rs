@@ -6,7 +6,7 @@ use glam::DAffine3;
 
 use super::columns::{self, Own, Products};
 use super::fixtures::note_fixtures;
-use super::furniture::{self, DrawnPiece};
+use super::furniture;
 use super::level::{Storey, shift, stack};
 use super::model::{Entity, Model};
 use super::openings;
@@ -14,6 +14,7 @@ use super::placement::Geometry;
 use super::relations::Relations;
 use super::room_types::RoomTypes;
 use crate::geometry::{Bounds, Point};
+use crate::plan::read::drawn::DrawnPiece;
 use crate::plan::read::reader::DraftedBuilding;
 use crate::plan::{BuildingDraft, RoomWords};
 

@@ -6,8 +6,8 @@ use super::furniture::KINDS;
 use super::level::Storey;
 use super::model::Model;
 use super::relations::Relations;
-use crate::plan::read::room_names::plain_words;
 use crate::plan::RoomWords;
+use crate::plan::read::room_names::plain_words;
 
 /// Gives the rooms of storeys the words of what the file puts into their spaces, as far as guesses ask for them; only where
 /// there is something to guess.

@@ -2,10 +2,12 @@
 
 use glam::DVec3;
 
+use super::NAME;
 use super::columns::Products;
 use super::level::Storey;
 use super::model::{Entity, Read};
 use crate::geometry::Point;
+use crate::plan::read::drawn::DrawnPiece;
 
 /// The kinds of products that are read here.
 pub(super) const KINDS: [&str; 6] = [
@@ -16,25 +18,6 @@ pub(super) const KINDS: [&str; 6] = [
     "IFCSANITARYTERMINAL",
     "IFCELECTRICAPPLIANCE",
 ];
-
-/// A piece of furniture in a plan, by the box around it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct DrawnPiece {
-    /// Id of its building.
-    pub building: String,
-    /// Id of its level.
-    pub level: String,
-    /// As in the file.
-    pub name: String,
-    /// Middle of its box, in the level's frame.
-    pub center: Point,
-    /// Unit vector of its own x axis.
-    pub axis: Point,
-    /// Metres along its own x and y.
-    pub size: Point,
-    /// Metres above the floor where it begins.
-    pub bottom: f64,
-}
 
 impl Products<'_> {
     /// The furniture on some storeys of a building.
@@ -59,6 +42,8 @@ impl Products<'_> {
         Ok(Some(DrawnPiece {
             building: building.to_owned(),
             level: storey.draft.id.clone(),
+            format: NAME,
+            kind: String::new(),
             name: product.text(2).unwrap_or_default().to_owned(),
             center: axis * middle(x) + axis.perp() * middle(y),
             axis,

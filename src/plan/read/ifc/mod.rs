@@ -43,8 +43,8 @@ use std::path::Path;
 use super::foreign::head;
 use crate::document::{Fault, Faults, Source};
 use crate::plan::RoomWords;
+use crate::plan::read::drawn::DrawnPiece;
 use crate::plan::read::reader::{ForeignFormat, ReadBuildings, ReadFormat, ReadResult};
-pub use furniture::DrawnPiece;
 use model::Model;
 
 /// The format's word in `room_words.yaml`.
@@ -61,6 +61,7 @@ pub(crate) const FORMAT: ForeignFormat = ForeignFormat {
     recognises,
     near_miss: |_| None,
     read: |path, options| read(path, options.words),
+    furniture: Some(drawn_furniture),
 };
 /// The beginning of every exchange file.
 const BEGINNING: &str = "ISO-10303-21";
@@ -100,7 +101,7 @@ fn read(path: &Path, words: &RoomWords) -> ReadResult {
 ///
 /// # Errors
 /// Why the file cannot be read.
-pub fn drawn_furniture(path: &Path) -> Result<Vec<DrawnPiece>, Faults> {
+fn drawn_furniture(path: &Path) -> Result<Vec<DrawnPiece>, Faults> {
     let (model, name, _) = open(path)?;
     let buildings = building::buildings(&model, &RoomWords::default(), &name, true);
     Ok(buildings.into_iter().flat_map(|(_, pieces)| pieces).collect())

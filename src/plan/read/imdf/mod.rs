@@ -38,6 +38,7 @@ pub(crate) const FORMAT: ForeignFormat = ForeignFormat {
     recognises,
     near_miss,
     read: |path, options| read(path, options.words),
+    furniture: None,
 };
 /// The files without which there is no plan.
 const NEEDED: [&str; 3] = ["level.geojson", "unit.geojson", "building.geojson"];

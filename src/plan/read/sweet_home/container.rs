@@ -41,11 +41,15 @@ pub(super) fn read_text(path: &Path) -> Result<Source, Faults> {
     if head(path, SIGNATURE.len() as u64) != SIGNATURE {
         return Source::read(path);
     }
-    let refuse = |(message, hint): (String, &str)| Faults::from(Fault::of_file(path, message).with_hint(hint));
+    let refuse =
+        |(message, hint): (String, &str)| Faults::from(Fault::of_file(path, message).with_hint(hint));
     let mut archive = open(path).map_err(|error| refuse(damage(&error)))?;
     if archive.index_for_name(XML_ENTRY).is_none() {
         let hint = "open it in Sweet Home 3D 5.3 or later and save it again: that adds Home.xml";
-        return Err(refuse((format!("was saved without {XML_ENTRY}, which is what is read of a home"), hint)));
+        return Err(refuse((
+            format!("was saved without {XML_ENTRY}, which is what is read of a home"),
+            hint,
+        )));
     }
     let mut bytes = Vec::new();
     let entry = archive.by_name(XML_ENTRY).map_err(|error| refuse(damage(&error)))?;

@@ -55,9 +55,11 @@ impl<'a> Bodies<'a> {
     pub(super) fn enclosed(&self) -> Vec<Space> {
         let joined = joined(self.all.iter());
         let rings: Vec<Vec<Point>> = joined.0.iter().map(|part| to_points(part.exterior())).collect();
-        let insides = joined.0.iter().enumerate().flat_map(|(own, part)| {
-            part.interiors().iter().map(move |ring| (own, to_points(ring)))
-        });
+        let insides = joined
+            .0
+            .iter()
+            .enumerate()
+            .flat_map(|(own, part)| part.interiors().iter().map(move |ring| (own, to_points(ring))));
         let is_within = |ring: &[Point], outline: &[Point]| {
             ring.first().is_some_and(|corner| ring_contains(outline, *corner))
         };
@@ -72,7 +74,8 @@ impl<'a> Bodies<'a> {
             let is_outermost = |ring: &Vec<Point>| {
                 !islands.iter().any(|other| !std::ptr::eq(*other, ring) && is_within(ring, other))
             };
-            let holes = islands.iter().filter(|ring| is_outermost(ring)).map(|ring| (*ring).clone()).collect();
+            let holes =
+                islands.iter().filter(|ring| is_outermost(ring)).map(|ring| (*ring).clone()).collect();
             areas.push(Space { outline, holes });
         }
         areas

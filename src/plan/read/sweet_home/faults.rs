@@ -69,7 +69,8 @@ impl Notes {
     pub(super) fn finish(mut self) -> Faults {
         if self.untold > 0 {
             let message = format!("{} more faults of this file are not listed", self.untold);
-            self.faults.push(self.source.fault_at(None, message).with_hint("mend the first ones").as_warning());
+            self.faults
+                .push(self.source.fault_at(None, message).with_hint("mend the first ones").as_warning());
         }
         self.faults
     }

@@ -103,7 +103,7 @@ impl Storey<'_> {
         let all = bodies(&walls, level.height, notes);
         let bodies = Bodies::of(&all);
         let mut rooms = self.draft_rooms(&bodies, naming, notes);
-        note_fixtures(&mut rooms, &self.pieces);
+        note_fixtures(&mut rooms, &self.pieces, naming.words);
         self.give_heights(&mut rooms, &all, notes);
         // Before outlines are made straight, which may leave the middle of a round wall inside.
         let obstacles = [stairs(&rooms, &self.pieces, below), free_walls(&rooms, &bodies)].concat();
@@ -136,12 +136,7 @@ impl Storey<'_> {
         self.walls.iter().take(MOST_WALLS).copied().collect()
     }
 
-    fn draft_rooms(
-        &self,
-        bodies: &Bodies<'_>,
-        naming: &mut Naming<'_>,
-        notes: &mut Notes,
-    ) -> Vec<RoomDraft> {
+    fn draft_rooms(&self, bodies: &Bodies<'_>, naming: &mut Naming<'_>, notes: &mut Notes) -> Vec<RoomDraft> {
         let name = &self.level.name;
         let place = self.walls.first().map_or(self.level.place, |wall| wall.place);
         if !self.rooms.is_empty() {
@@ -151,7 +146,8 @@ impl Storey<'_> {
             return Vec::new();
         }
         if bodies.are_tangled() {
-            let message = format!("level \"{name}\" has no rooms, and more crossings of walls than any building");
+            let message =
+                format!("level \"{name}\" has no rooms, and more crossings of walls than any building");
             notes.error(place, message, "the level is left out; draw its rooms");
             return Vec::new();
         }
@@ -161,8 +157,13 @@ impl Storey<'_> {
             notes.error(place, message, "join the ends of the walls, or draw the rooms");
         } else {
             let count = rooms.len();
-            let message = format!("level \"{name}\" has no rooms: the {count} that its walls enclose are taken");
-            notes.warn(place, message, "double-click between the walls with the tool for rooms, and name them");
+            let message =
+                format!("level \"{name}\" has no rooms: the {count} that its walls enclose are taken");
+            notes.warn(
+                place,
+                message,
+                "double-click between the walls with the tool for rooms, and name them",
+            );
         }
         rooms
     }
@@ -179,8 +180,10 @@ impl Storey<'_> {
         let low = rooms.iter().filter(|room| room.height.is_some_and(|own| own < height)).count();
         if low > 0 {
             let rooms = if low == 1 { "1 room".to_owned() } else { format!("{low} rooms") };
-            let message =
-                format!("level \"{}\": {rooms} with sloping walls, which are read as flat ones", self.level.name);
+            let message = format!(
+                "level \"{}\": {rooms} with sloping walls, which are read as flat ones",
+                self.level.name
+            );
             let hint = "the ceiling is at the lower end of the walls, and 2 m high at least";
             notes.warn(self.level.place, message, hint);
         }

@@ -32,13 +32,16 @@ use std::path::Path;
 
 use self::container::{is_archive, read_text};
 use self::faults::Notes;
-use self::home::Home;
+use self::home::{Home, Piece};
 use self::level::Storey;
+use self::pieces::is_furniture;
 use self::rooms::Naming;
+use super::drawn::DrawnPiece;
 use super::foreign::{head, slug};
 use super::reader::{DraftedBuilding, ForeignFormat, ReadBuildings, ReadFormat, ReadResult};
-use crate::document::Fault;
-use crate::plan::{BuildingDraft, RoomWords};
+use crate::document::{Fault, Faults};
+use crate::geometry::Point;
+use crate::plan::{BuildingDraft, PlanOptions};
 
 /// The format's word in `room_words.yaml`.
 const NAME: &str = "sweet_home";
@@ -53,7 +56,8 @@ pub(crate) const FORMAT: ForeignFormat = ForeignFormat {
     },
     recognises,
     near_miss: |_| None,
-    read: |path, options| read(path, options.words),
+    read,
+    furniture: Some(furniture),
 };
 /// Bytes at the start of a text in which its first element stands.
 const HEAD_SIZE: u64 = 4096;
@@ -81,14 +85,16 @@ fn is_home(text: &str) -> bool {
 }
 
 /// Reads the home of a file.
-fn read(path: &Path, words: &RoomWords) -> ReadResult {
+fn read(path: &Path, options: &PlanOptions<'_>) -> ReadResult {
     let mut notes = Notes::new(read_text(path)?);
     let Some(home) = xml::read_home(&mut notes) else { return Err(notes.finish()) };
     let storeys = level::storeys(&home, &mut notes);
-    let mut naming = Naming { words, unknown: BTreeMap::new() };
+    let mut naming = Naming { words: options.words, unknown: BTreeMap::new() };
     let levels = level::drafts(&storeys, &mut naming, &mut notes);
     notes.unknown_words(NAME, &naming.unknown);
-    warn_of_furniture(&storeys, &mut notes);
+    if !options.keeps_furniture {
+        warn_of_furniture(&storeys, &mut notes);
+    }
     let mut faults = notes.finish();
     if levels.is_empty() && !faults.has_errors() {
         let hint = "draw walls that enclose rooms, or rooms";
@@ -98,17 +104,50 @@ fn read(path: &Path, words: &RoomWords) -> ReadResult {
     ReadBuildings::new(vec![DraftedBuilding { id: id(path), draft, ..DraftedBuilding::default() }], faults)
 }
 
+/// The furniture of a home: what is neither a door nor stairs, and of a size that furniture has.
+fn furniture(path: &Path) -> Result<Vec<DrawnPiece>, Faults> {
+    let mut notes = Notes::new(read_text(path)?);
+    let Some(home) = xml::read_home(&mut notes) else { return Err(notes.finish()) };
+    let building = id(path);
+    let storeys = level::storeys(&home, &mut notes);
+    let drawn = |storey: &Storey<'_>, piece: &Piece| DrawnPiece {
+        building: building.clone(),
+        level: storey.id.clone(),
+        format: NAME,
+        kind: piece.catalog_id.clone().unwrap_or_default(),
+        name: piece.name.clone(),
+        center: piece.center,
+        axis: piece.axis(),
+        size: Point::new(piece.size[0], piece.size[1]),
+        bottom: piece.elevation,
+    };
+    let pieces = storeys.iter().flat_map(|storey| {
+        let furniture = storey.pieces.iter().filter(|piece| is_left_out(piece) && is_furniture(piece));
+        furniture.map(|piece| drawn(storey, piece))
+    });
+    Ok(pieces.collect())
+}
+
+/// Whether a plan has no place for a piece.
+fn is_left_out(piece: &Piece) -> bool {
+    piece.cut.is_none() && !piece.is_staircase
+}
+
 /// The furniture that is left out, counted.
 fn warn_of_furniture(storeys: &[Storey<'_>], notes: &mut Notes) {
     let furniture = || {
         let pieces = storeys.iter().flat_map(|storey| &storey.pieces);
-        pieces.filter(|piece| piece.cut.is_none() && !piece.is_staircase)
+        pieces.filter(|piece| is_left_out(piece))
     };
     let count = furniture().count();
     if let Some(first) = furniture().map(|piece| piece.place).min() {
         let pieces = if count == 1 { "1 piece".to_owned() } else { format!("{count} pieces") };
         let message = format!("{pieces} of furniture left out: rooms are furnished anew");
-        notes.warn(first, message, "`import --keep-furniture` keeps what the catalogue has, kitchens and baths first");
+        notes.warn(
+            first,
+            message,
+            "`import --keep-furniture` keeps what the catalogue has, kitchens and baths first",
+        );
     }
 }
 

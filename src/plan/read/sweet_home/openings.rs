@@ -27,10 +27,8 @@ pub(super) fn opening(piece: &Piece, cut: &Cut, id: String, bodies: &Bodies<'_>)
     let top = piece.elevation + piece.size[2] * (1.0 - cut.wall_top);
     let bottom = (top - piece.size[2] * cut.wall_height).max(0.0);
     let kind = kind(piece, cut, bottom, top);
-    let drawn = piece.at([
-        cut.wall_left + cut.wall_width / 2.0,
-        cut.wall_distance + cut.wall_thickness / 2.0,
-    ]);
+    let drawn =
+        piece.at([cut.wall_left + cut.wall_width / 2.0, cut.wall_distance + cut.wall_thickness / 2.0]);
     let (center, along, is_round) = on_wall(piece, drawn, bodies).unwrap_or((drawn, piece.axis(), false));
     let draft = OpeningDraft {
         id,
@@ -41,7 +39,9 @@ pub(super) fn opening(piece: &Piece, cut: &Cut, id: String, bodies: &Bodies<'_>)
         bottom: if kind == OpeningKind::Window { bottom } else { 0.0 },
         top,
         leaf: match kind {
-            OpeningKind::Door => LeafDraft::Points(cut.sashes.iter().map(|sash| leaf(piece, *sash)).collect()),
+            OpeningKind::Door => {
+                LeafDraft::Points(cut.sashes.iter().map(|sash| leaf(piece, *sash)).collect())
+            }
             _ => LeafDraft::None,
         },
     };

@@ -34,9 +34,9 @@ pub(super) fn free_walls(rooms: &[RoomDraft], bodies: &Bodies<'_>) -> Vec<Obstac
     let index = RoomIndex::of(rooms);
     let stands_free = |body: &&super::walls::Body| {
         let middle = body.axis[body.axis.len() / 2 - 1].midpoint(body.axis[body.axis.len() / 2]);
-        index.at(rooms, middle).is_some_and(|room| {
-            !rooms[room].holes.iter().any(|hole| ring_contains(hole, middle))
-        })
+        index
+            .at(rooms, middle)
+            .is_some_and(|room| !rooms[room].holes.iter().any(|hole| ring_contains(hole, middle)))
     };
     let free = bodies.all.iter().filter(stands_free);
     free.map(|body| ObstacleDraft { outline: body.outline.clone(), height: Some(body.heights[1]) }).collect()

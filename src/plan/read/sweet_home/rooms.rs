@@ -82,7 +82,11 @@ pub(super) fn drawn_rooms(
     if let Some(place) = first_cut {
         let rooms = if cut_count == 1 { "1 room is".to_owned() } else { format!("{cut_count} rooms are") };
         let message = format!("{rooms} drawn into the walls and cut back to their faces");
-        notes.warn(place, message, "double-click between the walls with the tool for rooms to draw one that fits");
+        notes.warn(
+            place,
+            message,
+            "double-click between the walls with the tool for rooms to draw one that fits",
+        );
     }
     drafts
 }
@@ -99,12 +103,15 @@ pub(super) fn enclosed_rooms(bodies: &Bodies<'_>) -> Vec<RoomDraft> {
     rooms.take(LEVEL_ROOMS).collect()
 }
 
-/// Notes in each room what stands in it, for guesses of its type.
-pub(super) fn note_fixtures(rooms: &mut [RoomDraft], pieces: &[&Piece]) {
+/// Notes in each room what stands in it, as far as guesses of its type ask for it.
+pub(super) fn note_fixtures(rooms: &mut [RoomDraft], pieces: &[&Piece], words: &RoomWords) {
+    let telling: BTreeSet<&str> =
+        words.guesses.iter().flat_map(|rule| &rule.fixtures).map(String::as_str).collect();
     let index = RoomIndex::of(rooms);
     for piece in pieces.iter().filter(|piece| piece.cut.is_none()) {
         if let Some(room) = index.at(rooms, piece.center) {
-            rooms[room].fixtures.extend(words_of(piece));
+            let words = words_of(piece).into_iter().filter(|word| telling.contains(word.as_str()));
+            rooms[room].fixtures.extend(words);
         }
     }
 }

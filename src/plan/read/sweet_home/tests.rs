@@ -75,7 +75,9 @@ fn archive(entries: &[(&str, &[u8])]) -> Vec<u8> {
 fn square(more: &str) -> String {
     let walls: String = [(0, 0, 400, 0), (400, 0, 400, 400), (400, 400, 0, 400), (0, 400, 0, 0)]
         .iter()
-        .map(|(x, y, u, v)| format!("<wall xStart='{x}' yStart='{y}' xEnd='{u}' yEnd='{v}' thickness='20'/>\n"))
+        .map(|(x, y, u, v)| {
+            format!("<wall xStart='{x}' yStart='{y}' xEnd='{u}' yEnd='{v}' thickness='20'/>\n")
+        })
         .collect();
     format!("<?xml version='1.0'?>\n<home version='7000' wallHeight='250'>\n{walls}{more}</home>\n")
 }
@@ -83,7 +85,9 @@ fn square(more: &str) -> String {
 fn messages(xml: &str) -> Vec<String> {
     let (_folder, [plain, _]) = written(xml);
     let shown = |faults: Faults| -> Vec<String> {
-        let place = |position: Option<(usize, usize)>| position.map(|(line, _)| format!("{line}: ")).unwrap_or_default();
+        let place = |position: Option<(usize, usize)>| {
+            position.map(|(line, _)| format!("{line}: ")).unwrap_or_default()
+        };
         faults.0.into_iter().map(|fault| place(fault.position) + &fault.message).collect()
     };
     match try_read(&plain) {
@@ -175,7 +179,10 @@ fn the_areas_that_walls_enclose_become_rooms() {
     // 3.85 m by 5.80 m without the pillar of 1.1 m by 1.1 m, and without the stub of 1.4 m by 0.1 m.
     assert!((areas[3] - (3.85 * 5.8 - 1.21 - 0.14)).abs() < 0.02, "{areas:?}");
     assert_eq!(level.openings.len(), 4);
-    assert!(faults.iter().any(|fault| fault.ends_with("the 4 that its walls enclose are taken")), "{faults:?}");
+    assert!(
+        faults.iter().any(|fault| fault.ends_with("the 4 that its walls enclose are taken")),
+        "{faults:?}"
+    );
     let types: Vec<&str> = level.rooms.iter().map(|room| room.room_type.as_str()).collect();
     assert!(types.contains(&"bedroom") && types.contains(&"bathroom"), "{types:?}");
 }
@@ -277,12 +284,16 @@ fn a_home_of_an_old_version_is_refused_with_advice() {
 
 #[test]
 fn declared_entities_are_refused_and_not_expanded() {
-    let laughs = "<!DOCTYPE home [<!ENTITY a 'ha'><!ENTITY b '&a;&a;&a;&a;'>]>\n<home name='&b;' wallHeight='1'/>";
+    let laughs =
+        "<!DOCTYPE home [<!ENTITY a 'ha'><!ENTITY b '&a;&a;&a;&a;'>]>\n<home name='&b;' wallHeight='1'/>";
     assert_eq!(messages(laughs), ["1: declares entities or elements of its own, which no home does"]);
     let outside = "<!DOCTYPE home SYSTEM 'file:///etc/passwd'>\n".to_owned() + &square("")[22..];
     assert!(messages(&outside)[0].contains("no rooms"), "a type alone does no harm, and is not fetched");
     let unknown = messages(&square("").replace("version='7000'", "version='7000' name='&b;'"));
-    assert!(unknown.iter().any(|message| message.starts_with("2: attribute \"name\" of \"home\"")), "{unknown:?}");
+    assert!(
+        unknown.iter().any(|message| message.starts_with("2: attribute \"name\" of \"home\"")),
+        "{unknown:?}"
+    );
 }
 
 #[test]
@@ -329,7 +340,9 @@ fn all_faults_of_a_home_are_reported_at_their_places() {
 
 #[test]
 fn a_text_that_is_cut_off_gives_what_came_before() {
-    let whole = square("<room name='Bedroom'><point x='10' y='10'/><point x='390' y='10'/><point x='390' y='390'/></room>\n");
+    let whole = square(
+        "<room name='Bedroom'><point x='10' y='10'/><point x='390' y='10'/><point x='390' y='390'/></room>\n",
+    );
     let (_folder, [plain, _]) = written(&whole[..whole.len() - 8]);
     let read = try_read(&plain).unwrap();
     assert_eq!(read.buildings[0].draft.levels[0].rooms.len(), 1);
@@ -357,7 +370,9 @@ fn walls_that_all_cross_each_other_are_refused() {
 
 #[test]
 fn a_packed_home_and_its_text_are_read_alike() {
-    let xml = square("<room name='Bedroom'><point x='10' y='10'/><point x='390' y='10'/><point x='390' y='390'/></room>\n");
+    let xml = square(
+        "<room name='Bedroom'><point x='10' y='10'/><point x='390' y='10'/><point x='390' y='390'/></room>\n",
+    );
     let (_folder, [plain, packed]) = written(&xml);
     let levels = |path: &Path| format!("{:?}", try_read(path).unwrap().buildings[0].draft.levels);
     assert_eq!(levels(&plain), levels(&packed));

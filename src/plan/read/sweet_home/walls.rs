@@ -57,9 +57,10 @@ impl Body {
 pub(super) fn bodies(walls: &[&HomeWall], height: f64, notes: &mut Notes) -> Vec<Body> {
     let sound: Vec<(&HomeWall, Vec<Point>)> =
         walls.iter().filter_map(|wall| is_sound(wall, notes).then(|| (*wall, axis(wall)))).collect();
-    let ends = sound.iter().zip(0..).flat_map(|((_, axis), wall)| {
-        [(axis[0], (wall, false)), (axis[axis.len() - 1], (wall, true))]
-    });
+    let ends = sound
+        .iter()
+        .zip(0..)
+        .flat_map(|((_, axis), wall)| [(axis[0], (wall, false)), (axis[axis.len() - 1], (wall, true))]);
     let index = BoxIndex::of(ends.map(|(end, which)| (Bounds::around_point(end, MEETING), which)));
     let bodies = sound.iter().enumerate().map(|(number, (wall, axis))| {
         let neighbour = |end: Point, is_end: bool| {
@@ -181,7 +182,8 @@ pub(super) fn usual_thicknesses(bodies: &[Body]) -> Option<[f64; 2]> {
     let mut lengths: BTreeMap<u64, f64> = BTreeMap::new();
     for body in bodies.iter().filter(|body| !body.is_low()) {
         // Of numbers above zero the bits have the order of the numbers.
-        *lengths.entry(body.thickness.to_bits()).or_default() += body.segments().map(Segment::length).sum::<f64>();
+        *lengths.entry(body.thickness.to_bits()).or_default() +=
+            body.segments().map(Segment::length).sum::<f64>();
     }
     let total: f64 = lengths.values().sum();
     let at = |share: f64| {

@@ -178,7 +178,8 @@ impl Builder {
 
     fn count_left_out(&self, notes: &mut Notes) {
         if let Some(excess) = self.count.checked_sub(MOST_ELEMENTS).filter(|excess| *excess > 0) {
-            let message = format!("{excess} rooms, walls and pieces behind the first {MOST_ELEMENTS} are left out");
+            let message =
+                format!("{excess} rooms, walls and pieces behind the first {MOST_ELEMENTS} are left out");
             notes.error(notes.text().len(), message, "divide the home into several");
         }
     }
@@ -343,8 +344,7 @@ impl<'text, 'notes> Attributes<'text, 'notes> {
     }
 
     fn sash(&mut self) -> Option<Sash> {
-        let numbers =
-            ["xAxis", "yAxis", "width", "startAngle", "endAngle"].map(|name| self.number(name));
+        let numbers = ["xAxis", "yAxis", "width", "startAngle", "endAngle"].map(|name| self.number(name));
         let [x, y, width, start, end] = numbers;
         Some(Sash { hinge: [x?, y?], width: width?, angles: [start?, end?] })
     }
