@@ -1,5 +1,5 @@
-//! Benchmark of maps of outlines: reads a map and plans the storeys of its buildings, with one thread. All times are those of one
-//! building.
+//! Benchmark of plans: reads a map of outlines and plans the storeys of its buildings, or reads a home of Sweet Home 3D, with one
+//! thread. All times are those of one building.
 #![allow(clippy::print_stderr)] // the bench also says what is planned
 
 use std::fmt::Write as _;
@@ -119,6 +119,10 @@ fn plan(criterion: &mut Criterion) {
         ("blocks of flats", drawn("blocks", &blocks())),
         ("office of 15,840 m²", drawn("office", &office())),
         ("quarter of Delft", Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/quarter/delft.city.json")),
+        (
+            "home of 40 rooms",
+            Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/sweet_home/forty_rooms.sh3d"),
+        ),
     ];
     let one_thread = ThreadPoolBuilder::new().num_threads(1).build().expect("a thread can be started");
     let mut group = criterion.benchmark_group("plan");

@@ -13,7 +13,7 @@ use roomwright::internals::diff::{DiffOptions, Tolerance, compare};
 use roomwright::internals::document::Faults;
 use roomwright::internals::edits::read_edits;
 use roomwright::internals::model::ModelLibrary;
-use roomwright::internals::plan::{Building, Plan, PlanOptions, read_plans, write_native};
+use roomwright::internals::plan::{Building, Plan, PlanOptions, drawn_furniture, read_plans, write_native};
 use roomwright::internals::read_back::{parse_inventory, parse_level, parse_survey};
 use roomwright::internals::solve::judge_room;
 use roomwright::internals::storey::Choices;
@@ -39,6 +39,7 @@ pub const TARGETS: &[(&str, Target)] = &[
     ("osm", plan_osm),
     ("pbf", plan_pbf),
     ("plan", read_plan),
+    ("sweet_home", read_sweet_home),
 ];
 
 /// Faults of one input at most: those of each room and object, not of each byte.
@@ -84,6 +85,15 @@ fn read_plan(data: &[u8]) -> bool {
 
 fn read_ifc(data: &[u8]) -> bool {
     read_files(&[("building.ifc", data)], "")
+}
+
+/// A packed home or its text, with its furniture.
+fn read_sweet_home(data: &[u8]) -> bool {
+    let folder = folder(&[("home.sh3d", data)]);
+    if let Err(faults) = drawn_furniture(&folder.path().join("home.sh3d")) {
+        check_faults(&faults);
+    }
+    read_files(&[("home.sh3d", data)], "")
 }
 
 fn read_bundle_of_plans(data: &[u8]) -> bool {

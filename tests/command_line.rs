@@ -28,6 +28,7 @@ mod command_line {
     mod readme;
     mod recipe;
     mod schemas;
+    mod sweet_home;
     mod tiles;
     mod unknown_words;
     mod user_models;

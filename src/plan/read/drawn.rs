@@ -1,9 +1,5 @@
 //! Furniture that files draw: kept on request, and compared with what is arranged.
 
-use std::path::Path;
-
-use super::readers::FOREIGN_FORMATS;
-use crate::document::Faults;
 use crate::geometry::Point;
 
 /// A piece of furniture in a plan, by the box around it.
@@ -27,13 +23,4 @@ pub struct DrawnPiece {
     pub size: Point,
     /// Metres above the floor where it begins.
     pub bottom: f64,
-}
-
-/// The furniture of a plan of any format, by building and in the order of the file; of a format that has none, nothing.
-///
-/// # Errors
-/// Why the file cannot be read.
-pub fn drawn_furniture(path: &Path) -> Result<Vec<DrawnPiece>, Faults> {
-    let format = FOREIGN_FORMATS.iter().find(|format| (format.recognises)(path));
-    format.and_then(|format| format.furniture).map_or_else(|| Ok(Vec::new()), |read| read(path))
 }

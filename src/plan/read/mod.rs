@@ -35,7 +35,7 @@ use self::finish::{Drafted, Finished, Provenance, Variation, finish};
 #[cfg(test)]
 pub(crate) use {native::PlanFile, project::ProjectFile};
 
-pub use self::drawn::{DrawnPiece, drawn_furniture};
+pub use self::drawn::DrawnPiece;
 pub(crate) use self::finish::finish_draft;
 pub(crate) use self::footprint::{Projection, SiteNotes, code_of};
 use self::inputs::{Input, find_inputs};
@@ -44,7 +44,7 @@ pub(crate) use self::outlines::{PlannedSite, read_and_plan};
 pub use self::reader::ReadFormat;
 use self::reader::{DraftedBuilding, ReadBuildings};
 use self::readers::FOREIGN_FORMATS;
-pub use self::readers::read_formats;
+pub use self::readers::{drawn_furniture, read_formats};
 pub use self::unread::unread_formats;
 use super::{
     BuildingReport, InputReport, PlacedBuilding, Plan, PlanOptions, PlanReading, PlanSource, ProjectSettings,

@@ -13,7 +13,7 @@ const SMALLEST_ROOM: f64 = 0.5;
 const NARROWEST_ROOM: f64 = 0.2;
 /// Walls that touch each other, counted in pairs, up to which areas are looked for: homes have some two per wall. Joining bodies
 /// that all cross each other takes time by the pair.
-const MOST_TOUCHES: usize = 100_000;
+const MOST_TOUCHES: usize = 20_000;
 /// Metres inside a wall at which an outline is drawn into it, rather than along its face.
 const INTO_WALL: f64 = 0.02;
 /// Share of an outline that is drawn into walls before it is cut back.

@@ -2,6 +2,9 @@
 
 use crate::geometry::Point;
 
+/// The format's word in `room_words.yaml`.
+pub(super) const NAME: &str = "sweet_home";
+
 /// All of a home that is read.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Home {

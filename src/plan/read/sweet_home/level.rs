@@ -9,6 +9,7 @@ use super::openings::opening;
 use super::pieces::{free_walls, stairs};
 use super::rooms::{Naming, drawn_rooms, enclosed_rooms, note_fixtures};
 use super::round::straightened;
+use super::rounding::round_lengths;
 use super::walls::{Body, bodies, usual_thicknesses};
 use crate::geometry::Point;
 use crate::plan::limits::STOREY_HEIGHT;
@@ -80,13 +81,20 @@ fn level_id(name: &str, number: usize, taken: &mut BTreeSet<String>) -> String {
 /// Drafts the levels that have rooms.
 pub(super) fn drafts(storeys: &[Storey<'_>], naming: &mut Naming<'_>, notes: &mut Notes) -> Vec<LevelDraft> {
     let drafted = storeys.iter().enumerate().map(|(number, storey)| {
-        let below = number.checked_sub(1).map_or(&[][..], |below| &storeys[below].pieces);
-        let above = storeys[number + 1..].iter().map(|other| other.level.elevation - storey.level.elevation);
+        // Several variants of a level may lie on one height.
+        let own = storey.level.elevation;
+        let lower = storeys[..number].iter().map(|other| other.level.elevation).filter(|other| *other < own);
+        let lower = lower.fold(f64::NEG_INFINITY, f64::max);
+        let below = storeys[..number].iter().filter(|other| other.level.elevation == lower);
+        let below: Vec<&Piece> = below.flat_map(|other| other.pieces.iter().copied()).collect();
+        let above = storeys[number + 1..].iter().map(|other| other.level.elevation - own);
         let above = above.into_iter().find(|height| *height >= LOWEST_STOREY);
-        storey.draft(above, below, naming, notes)
+        storey.draft(above, &below, naming, notes)
     });
-    let drafted: Vec<LevelDraft> = drafted.collect();
-    drafted.into_iter().filter(|level| !level.rooms.is_empty()).collect()
+    let mut drafted: Vec<LevelDraft> = drafted.collect();
+    drafted.retain(|level| !level.rooms.is_empty());
+    drafted.iter_mut().for_each(round_lengths);
+    drafted
 }
 
 impl Storey<'_> {

@@ -12,6 +12,7 @@
 //!
 //! Lengths in the file are centimetres, y goes down, and angles are clockwise; `xml.rs` turns all of them as it reads.
 
+mod attributes;
 mod container;
 mod faces;
 mod faults;
@@ -21,6 +22,7 @@ mod openings;
 mod pieces;
 mod rooms;
 mod round;
+mod rounding;
 mod walls;
 mod xml;
 
@@ -32,7 +34,7 @@ use std::path::Path;
 
 use self::container::{is_archive, read_text};
 use self::faults::Notes;
-use self::home::{Home, Piece};
+use self::home::{Home, NAME, Piece};
 use self::level::Storey;
 use self::pieces::is_furniture;
 use self::rooms::Naming;
@@ -42,9 +44,6 @@ use super::reader::{DraftedBuilding, ForeignFormat, ReadBuildings, ReadFormat, R
 use crate::document::{Fault, Faults};
 use crate::geometry::Point;
 use crate::plan::{BuildingDraft, PlanOptions};
-
-/// The format's word in `room_words.yaml`.
-const NAME: &str = "sweet_home";
 
 /// The line of the table of readers.
 pub(crate) const FORMAT: ForeignFormat = ForeignFormat {

@@ -2,10 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::NAME;
 use super::faces::{Bodies, Space};
 use super::faults::Notes;
-use super::home::{HomeRoom, Piece};
+use super::home::{HomeRoom, NAME, Piece};
 use crate::geometry::{Bounds, Point, ring_contains};
 use crate::plan::assemble::BoxIndex;
 use crate::plan::limits::LEVEL_ROOMS;

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 use zip::write::{SimpleFileOptions, ZipWriter};
 
@@ -12,23 +13,23 @@ use crate::document::Faults;
 use crate::geometry::Point;
 use crate::plan::read::finish::finish_draft;
 use crate::plan::read::reader::ReadBuildings;
-use crate::plan::{Building, Level, Opening, OpeningKind, PlanOptions};
+use crate::plan::{Building, Level, Opening, OpeningKind, PlanOptions, RoomWords};
 
 fn homes() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/sweet_home")
 }
 
+static WORDS: LazyLock<RoomWords> = LazyLock::new(|| load_catalog(&[]).unwrap().value.room_words);
+
 fn try_read(path: &Path) -> Result<ReadBuildings, Faults> {
-    let words = load_catalog(&[]).unwrap().value.room_words;
-    (FORMAT.read)(path, &PlanOptions::new(&words))
+    (FORMAT.read)(path, &PlanOptions::new(&WORDS))
 }
 
 /// A home with all faults, those of the assembly too.
 fn read(path: &Path) -> (Building, Vec<String>) {
-    let words = load_catalog(&[]).unwrap().value.room_words;
     let ReadBuildings { buildings, mut faults, .. } = try_read(path).unwrap();
     let [drafted] = &buildings[..] else { panic!("{} buildings", buildings.len()) };
-    let (building, found) = finish_draft(&drafted.id, &drafted.draft, &words);
+    let (building, found) = finish_draft(&drafted.id, &drafted.draft, &WORDS);
     faults.merge(found);
     (building, faults.0.into_iter().map(|fault| fault.message).collect())
 }
@@ -100,13 +101,14 @@ fn messages(xml: &str) -> Vec<String> {
 fn areas_are_those_that_the_application_shows() {
     let table = std::fs::read_to_string(homes().join("areas.tsv")).unwrap();
     let mut count = 0;
+    let mut read_homes: BTreeMap<&str, Building> = BTreeMap::new();
     for line in table.lines() {
         let [name, level, title, area] = line.split('\t').collect::<Vec<_>>()[..] else { panic!("{line}") };
         // Those are drawn into the walls, and cut back.
         if name == "centre_lines" {
             continue;
         }
-        let (building, _) = home(name);
+        let building = read_homes.entry(name).or_insert_with(|| home(name).0);
         let level = building.levels.iter().find(|own| level == "-" || own.name == level).unwrap();
         let is_it = |own: &str| if title == "-" { own.is_empty() } else { own == title };
         let room = level.rooms.iter().find(|room| is_it(room.name.as_deref().unwrap_or_default())).unwrap();

@@ -1,15 +1,12 @@
 //! Reads the text of a home: its elements one after the other, without expanding anything.
 
-use std::borrow::Cow;
-
+use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
-use quick_xml::{Reader, XmlVersion};
 
+use super::attributes::Attributes;
 use super::faults::Notes;
 use super::home::{Cut, Home, HomeLevel, HomeRoom, HomeWall, Piece, Sash};
-use crate::geometry::Point;
-use crate::plan::limits::{COORDINATE, OUTLINE_CORNERS};
-use crate::plan::units::CENTIMETRE;
+use crate::plan::limits::OUTLINE_CORNERS;
 
 /// The outermost element.
 pub(super) const ROOT: &str = "home";
@@ -21,8 +18,6 @@ const MOST_SASHES: usize = 16;
 const USUAL_WALL_HEIGHT: f64 = 2.5;
 /// The hint about a text that is damaged.
 const SAVE_AGAIN: &str = "save the home again in Sweet Home 3D";
-/// The hint about a number that is none.
-const NUMBER_HINT: &str = "the element is left out; save the home again in Sweet Home 3D";
 
 /// Reads a home. What is damaged is left out and noted; `None` if the text is no home.
 pub(super) fn read_home(notes: &mut Notes) -> Option<Home> {
@@ -190,85 +185,8 @@ fn is_piece(name: &str) -> bool {
     matches!(name, "pieceOfFurniture" | "doorOrWindow" | "light" | "shelfUnit")
 }
 
-/// The attributes of an element; the first fault of a number leaves it out.
-struct Attributes<'text, 'notes> {
-    values: Vec<(Cow<'text, str>, Cow<'text, str>)>,
-    element: String,
-    place: usize,
-    notes: &'notes mut Notes,
-}
-
-impl<'text, 'notes> Attributes<'text, 'notes> {
-    fn of(start: &BytesStart<'text>, place: usize, notes: &'notes mut Notes) -> Self {
-        let mut values = Vec::new();
-        let element = start.name().as_ref().to_owned();
-        for attribute in start.attributes().with_checks(false).flatten() {
-            let key = Cow::Owned(attribute.key.as_ref().to_owned());
-            match attribute.normalized_value(XmlVersion::Implicit1_0) {
-                Ok(value) => values.push((key, Cow::Owned(value.into_owned()))),
-                Err(error) => {
-                    let message = format!("attribute \"{key}\" of \"{element}\": {error}");
-                    notes.warn(place, message, "the attribute is left out");
-                }
-            }
-        }
-        Self { values, element, place, notes }
-    }
-
-    fn find(&self, name: &str) -> Option<&str> {
-        self.values.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_ref())
-    }
-
-    fn text(&self, name: &str) -> Option<String> {
-        self.find(name).map(str::to_owned)
-    }
-
-    /// A number, or what it is where the element does not say; none if it is no number.
-    fn number_or(&mut self, name: &str, usual: f64) -> Option<f64> {
-        let Some(text) = self.find(name) else { return Some(usual) };
-        // A place beyond that is none of a building.
-        let most = COORDINATE / CENTIMETRE;
-        let number = text.trim().parse::<f64>().ok().filter(|number| number.abs() <= most);
-        if number.is_none() {
-            let message = format!("\"{name}\" of \"{}\" is \"{text}\", no number of a home", self.element);
-            self.notes.error(self.place, message, NUMBER_HINT);
-        }
-        number
-    }
-
-    fn number(&mut self, name: &str) -> Option<f64> {
-        if self.find(name).is_none() {
-            let message = format!("\"{}\" has no \"{name}\"", self.element);
-            self.notes.error(self.place, message, NUMBER_HINT);
-            return None;
-        }
-        self.number_or(name, 0.0)
-    }
-
-    /// Metres.
-    fn length(&mut self, name: &str) -> Option<f64> {
-        self.number(name).map(|number| number * CENTIMETRE)
-    }
-
-    /// Metres, or those where the element does not say.
-    fn length_or(&mut self, name: &str, usual: f64) -> Option<f64> {
-        self.number_or(name, usual / CENTIMETRE).map(|number| number * CENTIMETRE)
-    }
-
-    /// Metres, if the element says; the outer one is none if that is no number.
-    fn some_length(&mut self, name: &str) -> Option<Option<f64>> {
-        match self.find(name) {
-            None => Some(None),
-            Some(_) => self.length(name).map(Some),
-        }
-    }
-
-    /// A place, of which y goes down in the file.
-    fn point(&mut self, [x, y]: [&str; 2]) -> Option<Point> {
-        let (x, y) = (self.length(x), self.length(y));
-        Some(Point::new(x?, -y?))
-    }
-
+/// Reads single elements; none that is damaged, or hidden.
+impl Attributes<'_, '_> {
     fn level(&mut self) -> Option<HomeLevel> {
         let (elevation, height) = (self.length("elevation"), self.length("height"));
         let floor_thickness = self.length_or("floorThickness", 0.0);
