@@ -69,7 +69,7 @@ fn kept_furniture_stays_where_the_home_has_it() {
     assert_eq!(faults.len(), 1, "{answer:#}");
     assert_eq!(faults[0]["message"], message);
     let edits = String::from_utf8(world.read("plans/flat.edits.yaml")).unwrap();
-    for id in ["toilet.1", "bathtub.1", "cooker.1", "sink_unit.1", "double_bed.1", "wall_cabinet.1"] {
+    for id in ["toilet.1", "bathtub.1", "cooker.1", "sink_unit.1", "single_bed.1", "wall_cabinet.1"] {
         assert!(edits.contains(&format!("{id}: {{add: true, lock: true")), "{id}: {edits}");
     }
     let baked = world.must(&["bake", "plans", "--out", "out"]);

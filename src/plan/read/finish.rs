@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use super::names::{replace_unprintable, replaced};
-use super::native::{LevelOrigins, NativeChecks, ProblemList, Report};
+use super::native::{LevelOrigins, NativeChecks, NativeDraft, ProblemList, Report, read_native};
 use crate::document::{Fault, Faults, Source};
 use crate::plan::guess::Guessing;
 use crate::plan::{
     Building, BuildingDraft, Level, LevelDraft, LevelReport, Problem, RoomWords, SitePlacement, Subject,
-    assemble_level, mirror_building,
+    assemble_level, mirror_building, write_native,
 };
 
 /// A building as it was read, and where from.
@@ -21,6 +21,8 @@ pub(super) struct Drafted {
     pub(super) placement: SitePlacement,
     /// Where problems are reported.
     pub(super) provenance: Provenance,
+    /// Whether the building is taken as its native plan says it, so that both are furnished alike to the byte.
+    pub(super) is_settled: bool,
 }
 
 /// Where a draft came from.
@@ -90,11 +92,33 @@ pub(super) fn finish(
         problems.push((level.id.clone(), found));
         building.levels.extend((!is_lost).then_some(level));
     }
+    if drafted.is_settled {
+        building = settled(building, &drafted.id, words);
+    }
     let mut faults = drafted.provenance.faults(problems);
     if let Some((first, others)) = unprintable {
         faults.push(replaced(drafted.provenance.file(), &first, others));
     }
     Finished { building, faults, levels: reports }
+}
+
+/// A building as it comes back from its native plan, whose lengths are rounded. One that does not come back whole stays as it is.
+fn settled(building: Building, id: &str, words: &RoomWords) -> Building {
+    let source = Source::new(Path::new("settled.yaml"), &write_native(&building, id));
+    let Ok(NativeDraft { draft, .. }) = read_native(&source, words) else { return building };
+    let mut levels = Vec::with_capacity(building.levels.len());
+    for (level, draft) in building.levels.iter().zip(draft.levels) {
+        let (mut settled, problems) = assemble_level(draft);
+        let is_whole = settled.id == level.id
+            && settled.rooms.len() == level.rooms.len()
+            && settled.openings.len() == level.openings.len();
+        if !is_whole || problems.iter().any(|problem| problem.is_error) {
+            return building;
+        }
+        settled.left_out.clone_from(&level.left_out);
+        levels.push(settled);
+    }
+    if levels.len() == building.levels.len() { Building { levels, ..building } } else { building }
 }
 
 /// A draft that no file holds, put together; problems are faults of the building.
@@ -104,6 +128,7 @@ pub(crate) fn finish_draft(id: &str, draft: &BuildingDraft, words: &RoomWords) -
         draft: draft.clone(),
         placement: SitePlacement::default(),
         provenance: Provenance::Foreign(PathBuf::from(id)),
+        is_settled: false,
     };
     let Finished { building, faults, .. } = finish(&drafted, &Variation::default(), words, &mut 0);
     (building, faults)

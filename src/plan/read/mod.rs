@@ -262,7 +262,8 @@ fn read_drafts(path: &Path, options: &PlanOptions<'_>) -> Drafts {
     };
     match (format.read)(path, options) {
         Ok(ReadBuildings { buildings, faults, origin }) => {
-            let drafted = |DraftedBuilding { id, draft, placement }| Drafted {
+            let drafted = |DraftedBuilding { id, draft, placement, is_settled }| Drafted {
+                is_settled,
                 id,
                 draft,
                 placement,
@@ -279,7 +280,11 @@ fn native_drafts(source: Source, words: &RoomWords) -> Drafts {
         Ok(NativeDraft { id, draft, origins, faults }) => {
             let provenance = Provenance::Native(source, origins);
             let placement = SitePlacement::default();
-            Drafts { drafts: vec![Drafted { id, draft, placement, provenance }], faults, ..Drafts::default() }
+            Drafts {
+                drafts: vec![Drafted { id, draft, placement, provenance, is_settled: false }],
+                faults,
+                ..Drafts::default()
+            }
         }
         Err(faults) => Drafts { faults, ..Drafts::default() },
     }

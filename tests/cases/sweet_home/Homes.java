@@ -123,10 +123,10 @@ public class Homes {
         flat.put("bath", 810, 393, 0);
         flat.put("toiletUnit", 850, 600, 90);
         flat.put("washbasinWithCabinet", 720, 662, 180);
-        flat.put("bed140x190", 115, 580, 180);
-        flat.put("wardrobe", 270, 600, 90);
+        flat.put("bed90x190", 125, 580, 180);
+        flat.put("wardrobe", 80, 382, 0);
         flat.put("sofa", 100, 300, 180);
-        flat.put("coffeeTable", 100, 210, 0);
+        flat.put("tvUnit", 100, 36, 0);
         flat.put("mannequin", 450, 600, 0);
         return flat;
     }

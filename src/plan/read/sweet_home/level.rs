@@ -9,7 +9,6 @@ use super::openings::opening;
 use super::pieces::{free_walls, stairs};
 use super::rooms::{Naming, drawn_rooms, enclosed_rooms, note_fixtures};
 use super::round::straightened;
-use super::rounding::round_lengths;
 use super::walls::{Body, bodies, usual_thicknesses};
 use crate::geometry::Point;
 use crate::plan::limits::STOREY_HEIGHT;
@@ -93,7 +92,6 @@ pub(super) fn drafts(storeys: &[Storey<'_>], naming: &mut Naming<'_>, notes: &mu
     });
     let mut drafted: Vec<LevelDraft> = drafted.collect();
     drafted.retain(|level| !level.rooms.is_empty());
-    drafted.iter_mut().for_each(round_lengths);
     drafted
 }
 

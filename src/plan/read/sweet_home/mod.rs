@@ -22,7 +22,6 @@ mod openings;
 mod pieces;
 mod rooms;
 mod round;
-mod rounding;
 mod walls;
 mod xml;
 
@@ -100,7 +99,10 @@ fn read(path: &Path, options: &PlanOptions<'_>) -> ReadResult {
         faults.push(Fault::of_file(path, "the home has neither rooms nor walls").with_hint(hint));
     }
     let draft = BuildingDraft { name: title(&home), levels };
-    ReadBuildings::new(vec![DraftedBuilding { id: id(path), draft, ..DraftedBuilding::default() }], faults)
+    ReadBuildings::new(
+        vec![DraftedBuilding { id: id(path), draft, is_settled: true, ..DraftedBuilding::default() }],
+        faults,
+    )
 }
 
 /// The furniture of a home: what is neither a door nor stairs, and of a size that furniture has.
