@@ -37,8 +37,11 @@ pub(crate) struct ForeignFormat {
     /// Reads all buildings of a file or folder. Ids come from the data or from the name of the file.
     pub(crate) read: fn(&Path, &PlanOptions<'_>) -> ReadResult,
     /// Reads the furniture of a file, by the same ids of buildings and levels; `None` for formats without furniture.
-    pub(crate) furniture: Option<fn(&Path) -> Result<Vec<DrawnPiece>, Faults>>,
+    pub(crate) furniture: Option<ReadFurniture>,
 }
+
+/// Reads the furniture of a file.
+pub(crate) type ReadFurniture = fn(&Path) -> Result<Vec<DrawnPiece>, Faults>;
 
 /// All buildings of a file or folder, or why there is none.
 pub(crate) type ReadResult = Result<ReadBuildings, Faults>;

@@ -13,6 +13,10 @@
 //! Lengths in the file are centimetres, y goes down, and angles are clockwise; `xml.rs` turns all of them as it reads.
 
 mod attributes;
+#[cfg(not(target_arch = "wasm32"))]
+mod container;
+#[cfg(target_arch = "wasm32")]
+#[path = "no_container.rs"]
 mod container;
 mod faces;
 mod faults;

@@ -56,7 +56,7 @@ impl Body {
 /// The bodies of the walls of a level, `height` metres high where they say nothing.
 pub(super) fn bodies(walls: &[&HomeWall], height: f64, notes: &mut Notes) -> Vec<Body> {
     let sound: Vec<(&HomeWall, Vec<Point>)> =
-        walls.iter().filter_map(|wall| is_sound(wall, notes).then(|| (*wall, axis(wall)))).collect();
+        walls.iter().filter(|wall| is_sound(wall, notes)).map(|wall| (*wall, axis(wall))).collect();
     let ends = sound
         .iter()
         .zip(0..)
