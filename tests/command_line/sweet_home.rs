@@ -75,8 +75,8 @@ fn kept_furniture_stays_where_the_home_has_it() {
     let baked = world.must(&["bake", "plans", "--out", "out"]);
     assert!(!baked.stderr.contains("warning"), "{}", baked.stderr);
     let manifest: Value = serde_json::from_slice(&world.read("out/manifest.json")).unwrap();
-    let counts = &manifest["levels"][0]["counts"];
-    assert!(counts["toilet"] == 1 && counts["bathtub"] == 1 && counts["cooker"] == 1, "{manifest:#}");
+    let classes = &manifest["levels"][0]["classes"];
+    assert!(classes["toilet"] == 1 && classes["bathtub"] == 1 && classes["cooker"] == 1, "{manifest:#}");
     // A second time nothing is overwritten.
     let again = world.run(&["import", "homes/flat.sh3d", "--out", "plans", "--keep-furniture"]);
     assert_eq!(again.code, Some(2), "{}", again.stderr);
