@@ -78,24 +78,36 @@ def corners_of_room(count):
 
 
 def objects_in_room(count):
-    """A restaurant with as many square metres as give so many objects."""
-    side = round(math.sqrt(count * 0.75), 2)
-    room = {"id": "restaurant", "type": "restaurant", "style": "paper_restaurant", "rectangle": [0, 0, side, side]}
+    """Tables with four chairs each, twice as far apart as in the paper's restaurant, where not all of so many find a place."""
+    side = round(math.sqrt(count * 1.5), 2)
+    room = {"id": "restaurant", "type": "restaurant", "style": f"growth_{count}", "rectangle": [0, 0, side, side]}
     door = {"kind": "door", "at": [side / 2, 0], "rooms": ["restaurant"]}
     return [plan([{"id": "1", "height": 3.5, "rooms": [room], "openings": [door]}])]
 
 
+def catalogue(counts):
+    """Styles that ask for so many objects in a restaurant."""
+    tables = {count: {"class": "row_table", "count": count // 5, "required": True} for count in counts}
+    chairs = {count: {"class": "restaurant_chair", "count": count - count // 5, "required": True} for count in counts}
+    style = {"extends": "restaurant_simple", "room_types": ["restaurant"], "untidiness": {"turn": 0, "distance": 0}}
+    styles = {f"growth_{count}": {**style, "label": f"{count} objects", "programmes": {"restaurant": [tables[count], chairs[count]]}}
+              for count in counts}
+    return json.dumps({"version": 1, "styles": styles})
+
+
+OBJECTS = [5, 10, 100, 500, 1000]
 SERIES = [
     ("rooms of a level", rooms_of_level, [1, 10, 100, 1000, 10_000]),
     ("levels of a site, 4 rooms each", levels_of_site, [1, 10, 100, 500, 2000]),
     ("corners of a room", corners_of_room, [4, 10, 100, 1000, 4096]),
-    ("objects in a room", objects_in_room, [10, 30, 100, 300, 1000]),
+    ("objects in a room", objects_in_room, OBJECTS),
 ]
 
 
-def bake(program, plans, out):
+def bake(program, folder, out):
     """Processor seconds and peak megabytes of one bake."""
-    command = [program, "bake", plans, "--out", out, "--force", "--threads", "1", "--textures", "none", "--quiet"]
+    command = [program, "bake", folder / "plans", "--catalog", folder / "catalogue", "--out", folder / out, "--threads", "1",
+               "--textures", "none", "--quiet"]
     child = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
     said = child.stderr.read().decode()
     _, status, usage = os.wait4(child.pid, 0)
@@ -109,12 +121,15 @@ def measure(program, make, sizes, runs):
     """For each size: least processor seconds of the runs, and most megabytes."""
     costs = []
     for size in sizes:
-        with tempfile.TemporaryDirectory(prefix="roomwright-growth-") as folder:
-            plans = Path(folder) / "plans"
-            plans.mkdir()
+        with tempfile.TemporaryDirectory(prefix="roomwright-growth-") as name:
+            folder = Path(name)
+            for part in ("plans", "catalogue/styles"):
+                (folder / part).mkdir(parents=True)
+            (folder / "catalogue" / "styles" / "growth.yaml").write_text(catalogue(OBJECTS))
             for number, text in enumerate(make(size)):
-                (plans / f"plan-{number}.yaml").write_text(text)
-            results = [bake(program, plans, Path(folder) / "out") for _ in range(runs)]
+                (folder / "plans" / f"plan-{number}.yaml").write_text(text)
+            # A folder for each run: what is there already is kept.
+            results = [bake(program, folder, str(run)) for run in range(runs)]
         costs.append((min(seconds for seconds, _ in results), max(peak for _, peak in results)))
         print(f"{make.__name__}({size}): {costs[-1][0]:.3f} s, {costs[-1][1]:.0f} MB", file=sys.stderr)
     return costs

@@ -1,6 +1,7 @@
 //! The floors of an empty room, from which the furnished ones are made.
 
 use core::cell::OnceCell;
+use std::rc::Rc;
 
 use crate::catalog::AuditRules;
 use crate::plan::RoomRef;
@@ -13,8 +14,8 @@ use super::floor::Floor;
 pub(crate) struct EmptyFloors<'a> {
     at: RoomRef<'a>,
     rules: &'a AuditRules,
-    walking: OnceCell<Option<Floor>>,
-    wheelchair: OnceCell<Option<Floor>>,
+    walking: OnceCell<Option<Rc<Floor>>>,
+    wheelchair: OnceCell<Option<Rc<Floor>>>,
 }
 
 impl<'a> EmptyFloors<'a> {
@@ -30,11 +31,11 @@ impl<'a> EmptyFloors<'a> {
 
     /// The floor for people; `None` where no door leads in.
     pub(crate) fn walking(&self) -> Option<&Floor> {
-        self.walking.get_or_init(|| Floor::empty(self.at, &self.rules.walking)).as_ref()
+        self.walking.get_or_init(|| Floor::empty(self.at, &self.rules.walking)).as_deref()
     }
 
     /// The floor for wheelchairs; `None` where no door leads in.
     pub(crate) fn wheelchair(&self) -> Option<&Floor> {
-        self.wheelchair.get_or_init(|| Floor::empty_for_wheelchair(self.at, self.rules)).as_ref()
+        self.wheelchair.get_or_init(|| Floor::empty_for_wheelchair(self.at, self.rules)).as_deref()
     }
 }

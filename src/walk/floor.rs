@@ -9,6 +9,7 @@ use crate::geometry::{Bounds, DisjointSets, Point, Segment, Solid, distance_to_c
 use crate::plan::{Room, RoomOpening, RoomRef};
 
 use super::gaps::{Cells, Obstacle, fixed_obstacles};
+use super::known::{floor_of, shape};
 use super::raster::{Raster, cell_around};
 
 /// The floor of a room with what stands on it.
@@ -88,7 +89,7 @@ pub(crate) struct Walk<'f> {
 
 impl Floor {
     /// The floor of an empty room; `None` where no door leads in.
-    pub(crate) fn empty(at: RoomRef<'_>, rules: &WalkingRules) -> Option<Self> {
+    pub(crate) fn empty(at: RoomRef<'_>, rules: &WalkingRules) -> Option<Rc<Self>> {
         // Distances beyond this are not told apart: that keeps them as cheap in halls as in closets.
         let widest = rules.person.max(rules.narrow_person).max(rules.robot);
         // Somebody on a threshold stands half behind it.
@@ -98,27 +99,38 @@ impl Floor {
 
     /// The same for a wheelchair. Its way is wider than most doors: whoever has that width right before a door goes
     /// straight through.
-    pub(crate) fn empty_for_wheelchair(at: RoomRef<'_>, rules: &AuditRules) -> Option<Self> {
+    pub(crate) fn empty_for_wheelchair(at: RoomRef<'_>, rules: &AuditRules) -> Option<Rc<Self>> {
         let AccessRules { turning, walkway } = rules.access;
         let doors = DoorDepth { behind: 0.0, before: walkway / 2.0 };
         Self::for_disc(at, &rules.walking, turning.max(walkway), doors)
     }
 
-    /// The floor for discs up to a width.
-    fn for_disc(at: RoomRef<'_>, rules: &WalkingRules, widest: f64, depth: DoorDepth) -> Option<Self> {
-        let RoomRef { level, room, .. } = at;
-        let is_door = |place: &RoomOpening| level.openings[place.opening].kind.is_walkable();
-        let places: Vec<&RoomOpening> = room.openings.iter().filter(|place| is_door(place)).collect();
-        if places.is_empty() {
+    /// The floor for discs up to a width; equal rooms share it.
+    fn for_disc(at: RoomRef<'_>, rules: &WalkingRules, widest: f64, depth: DoorDepth) -> Option<Rc<Self>> {
+        let is_door = |place: &RoomOpening| at.level.openings[place.opening].kind.is_walkable();
+        let doors: Vec<&RoomOpening> = at.room.openings.iter().filter(|place| is_door(place)).collect();
+        if doors.is_empty() {
             return None;
         }
+        let widths = [rules.person, rules.narrow_person];
+        let further = [widest, depth.behind, depth.before, widths[0], widths[1]];
+        Some(floor_of(shape(at, &doors, &further), || Self::new(at.room, &doors, widths, (widest, depth))))
+    }
+
+    /// The floor of a room with its walkable openings.
+    fn new(
+        room: &Room,
+        places: &[&RoomOpening],
+        widths: [f64; 2],
+        (widest, depth): (f64, DoorDepth),
+    ) -> Self {
         let bounds = room.region.outline.bounds();
         let cell = cell_around(bounds.size());
         let DoorDepth { behind, before } = depth.with_cells(cell);
         let mut raster = Raster::new(bounds.inflated(behind), cell);
         // Free areas are painted before what blocks: of a cell that is painted twice the last counts.
         raster.paint(&room.region.borders().collect::<Vec<_>>(), true);
-        for place in &places {
+        for place in places {
             raster.paint(&strip(room, place, -behind, cell.min(behind)), true);
         }
         for column in &room.obstacles {
@@ -128,9 +140,9 @@ impl Floor {
         // Distances are exact as far as the widest disc needs them, which keeps them cheap in halls.
         let reach = raster.reach(widest);
         let distances = raster.distances(reach);
-        let widths = [rules.person, rules.narrow_person];
+        let is_door = |place: &RoomOpening| places.contains(&place);
         let fixed = fixed_obstacles(room, is_door).into();
-        Some(Self { raster, distances, doors, reach, obstacles: Vec::new(), fixed, widths })
+        Self { raster, distances, doors, reach, obstacles: Vec::new(), fixed, widths }
     }
 
     /// This floor with some solids more, with work for the cells near these only.

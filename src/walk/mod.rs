@@ -9,6 +9,7 @@
 mod empty;
 mod floor;
 mod gaps;
+mod known;
 mod queue;
 mod raster;
 mod way;
