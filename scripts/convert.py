@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Converts baked levels to USD: convert.py [options] FOLDER|FILE...
+"""Converts baked levels to USD, MJCF or URDF: convert.py [options] FOLDER|FILE...
 
 Each .glb or .gltf becomes one .usdc (or .usda, or .usdz) beside it, or at the same relative place under --out:
   - nodes: the same tree under the default prim, with the same places. Names are made valid; displayName and
@@ -20,6 +20,11 @@ city are not written for this format. Equal inputs give equal bytes. `converted.
 run removes those that it does not write again (a level that left the bake, another format, unused models), unless
 somebody changed them.
 
+--format mjcf and --format urdf write levels for robot simulators instead (docs/simulation.md): a .xml or .urdf for each level,
+in metres and kilograms, Z up, and their meshes in `shared-meshes`. Doors hinge or slide, shapes collide as boxes and convex
+parts; --movable makes light pieces free bodies. MJCF also gets a `building.xml` for each building of several levels. A folder
+must be a finished bake, with its manifest.
+
 Needs scripts/requirements.txt. One line per written file goes to standard output, progress to
 standard error where that is a terminal.
 Exit 0: all written. 1: some failed. 2: nothing could start.
@@ -29,6 +34,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import math
 import os
 import sys
 import time
@@ -45,6 +51,10 @@ from tqdm import tqdm
 from gltf_document import GltfError
 from gltf_file import GltfFile
 from resources import ResourceError, printable, read_file
+from simulation.bake import check_bake
+from simulation.meshes import MESH_FOLDER
+from simulation.movable import LIGHT
+from simulation.writing import FORMATS, convert_level, write_buildings
 from usd.assembly import write_assemblies
 from usd.floor import Written, convert_floor
 from usd.record import Asked, Entry, Removal, digest_of, path_from, renew
@@ -55,6 +65,11 @@ from workers import outcomes
 SCENE_ENDINGS = {".glb", ".gltf"}
 # Metres: cups, books and lamps are smaller, seats are not.
 SMALL = 0.5
+# The folders of files that levels share.
+SHARED = (f"{MODEL_FOLDER}/", f"{TEXTURE_FOLDER}/", f"{MESH_FOLDER}/")
+ENDINGS = {"usdc": ".usdc", "usda": ".usda", "usdz": ".usdz", "mjcf": ".xml", "urdf": ".urdf"}
+# The options that say how USD files are written, as they are typed.
+USD_OPTIONS = ("--up-axis", "--self-contained", "--lights", "--instances", "--point-instancer", "--physics")
 
 
 class Job(NamedTuple):
@@ -68,8 +83,9 @@ class Job(NamedTuple):
 
 def convert_file(job: Job) -> Written | str:
     """The written files, or the reason of a failure."""
+    convert_one = convert_level if job.settings.ending in FORMATS else convert_floor
     try:
-        return convert_floor(GltfFile(job.source, job.folder), job.target, job.settings)
+        return convert_one(GltfFile(job.source, job.folder), job.target, job.settings)
     except (GltfError, WriteError) as error:
         return str(error)
     except Exception as error:  # a broken file can raise anything, and may not stop the others
@@ -80,6 +96,8 @@ def convert_file(job: Job) -> Written | str:
 def jobs_of(path: Path, options: argparse.Namespace, started: float) -> list[Job]:
     """The files of one argument."""
     if path.is_dir():
+        if ENDINGS[options.format] in FORMATS:
+            check_bake(path)
         former = former_files(path)
         sources = sorted(file for file in path.rglob("*") if file.suffix.lower() in SCENE_ENDINGS and file not in former)
         folder = path
@@ -89,9 +107,10 @@ def jobs_of(path: Path, options: argparse.Namespace, started: float) -> list[Job
         raise FileNotFoundError(f"{path} is neither a folder nor a .glb or .gltf")
     base = folder or path.parent
     settings = Settings(
-        root=options.out or base, ending=f".{options.format}", up_axis=options.up_axis, started=started,
+        root=options.out or base, ending=ENDINGS[options.format], up_axis=options.up_axis, started=started,
         copies_images=options.out is not None, is_self_contained=options.self_contained, has_physics=options.physics,
-        lights_lamps=options.lights, has_instances=options.instances, instanced_below=options.point_instancer)
+        lights_lamps=options.lights, has_instances=options.instances, instanced_below=options.point_instancer,
+        movable_up_to=options.movable)
     return [Job(source, settings.root / source.relative_to(base).with_suffix(settings.ending), settings, folder)
             for source in sources]
 
@@ -144,7 +163,8 @@ def finish(jobs: list[Job], written: dict[Job, Written], folders: list[Path]) ->
     try:
         stages = []
         if folders and settings.ending != ".usdz":
-            stages = write_assemblies([written[job] for job in jobs if job in written], settings)
+            write_stages = write_buildings if settings.ending in FORMATS else write_assemblies
+            stages = write_stages([written[job] for job in jobs if job in written], settings)
         for file in stages:
             print(printable(str(file)))
         around = Path(os.path.commonpath([os.path.abspath(folder) for folder in folders])) if folders else None
@@ -174,13 +194,13 @@ def asked_of(jobs: list[Job], written: dict[Job, Written], folders: list[Path]) 
 
 def report(removal: Removal) -> None:
     """Reports the removed files by name, and the removed models and images, which are many, by their count."""
-    shared = [path for path in removal.removed if path.startswith((f"{MODEL_FOLDER}/", f"{TEXTURE_FOLDER}/"))]
+    shared = [path for path in removal.removed if path.startswith(SHARED)]
     for path in removal.removed:
         if path not in shared:
             print(f"convert: removed {printable(path)}, which an earlier run wrote and this one does not",
                   file=sys.stderr)
     if shared:
-        print(f"convert: removed {len(shared)} models and images that nothing uses any more", file=sys.stderr)
+        print(f"convert: removed {len(shared)} models, meshes and images that nothing uses any more", file=sys.stderr)
     for path in removal.kept:
         print(f"convert: left {printable(path)}, which no run writes any more", file=sys.stderr)
 
@@ -189,8 +209,12 @@ def parse_arguments(arguments: list[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("paths", nargs="+", type=Path, metavar="FOLDER|FILE")
     parser.add_argument("--out", type=Path, help="folder for the results (default: beside each source)")
-    parser.add_argument("--format", choices=("usdc", "usda", "usdz"), default="usdc",
-                        help="binary, text, or a package of everything that the floor needs")
+    parser.add_argument("--format", choices=tuple(ENDINGS), default="usdc",
+                        help="USD: binary, text, or a package of everything that the floor needs; for simulators: MJCF or "
+                             "URDF")
+    parser.add_argument("--movable", nargs="?", type=kilograms, const=LIGHT, metavar="KILOGRAMS",
+                        help="MJCF and URDF: make pieces that stand free and weigh no more than this free bodies (default: "
+                             f"{LIGHT:g})")
     parser.add_argument("--up-axis", choices=("Y", "Z"), default="Y")
     parser.add_argument("--self-contained", action="store_true", help="keep models and textures in each level's file")
     parser.add_argument("--lights", action="store_true",
@@ -208,9 +232,29 @@ def parse_arguments(arguments: list[str] | None) -> argparse.Namespace:
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="processes (default: one a core)")
     parser.add_argument("--quiet", action="store_true", help="no progress")
     options = parser.parse_args(arguments)
+    refuse_foreign_options(parser, options)
     if options.physics and options.point_instancer is not None:
         parser.error("--physics and --point-instancer exclude each other: entries of an instancer cannot be bodies")
     return options
+
+
+def kilograms(text: str) -> float:
+    value = float(text)
+    if not 0.0 < value < math.inf:
+        raise argparse.ArgumentTypeError(f"{text} is no mass; hint: kilograms over 0, such as {LIGHT:g}")
+    return value
+
+
+def refuse_foreign_options(parser: argparse.ArgumentParser, options: argparse.Namespace) -> None:
+    """Options of one family of formats mean nothing to the other."""
+    if ENDINGS[options.format] not in FORMATS:
+        if options.movable is not None:
+            parser.error(f"--movable is for --format mjcf and urdf, not {options.format}; hint: --physics describes USD")
+        return
+    for option in USD_OPTIONS:
+        key = option.removeprefix("--").replace("-", "_")
+        if getattr(options, key) != parser.get_default(key):
+            parser.error(f"{option} is for USD, not {options.format}, which is Z up and has joints and masses by itself")
 
 
 def main(arguments: list[str] | None = None) -> int:

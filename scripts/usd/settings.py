@@ -24,6 +24,7 @@ class Settings:
     has_instances: bool = False  # each model is drawn by USD's own instances, which some importers make objects of
     # Metres: what is smaller in every direction goes into a PointInstancer; none without.
     instanced_below: float | None = None
+    movable_up_to: float | None = None  # kilograms of the pieces that are free bodies in MJCF and URDF; none without
     # Seconds since the epoch: shared files older than this are of an earlier run and written anew.
     started: float = 0.0
 

@@ -1,0 +1,12 @@
+"""Levels as models for robot simulators: MJCF for MuJoCo, URDF for the others. Used by convert.py.
+
+    level.py       a glTF file → bodies, in axes.py's frame (Z up)
+      prisms.py    walls, floors and frames → boxes and convex prisms, with openings kept open
+      colliders.py furniture → boxes and convex parts
+      doors.py     leaves → hinges and slides
+      movable.py   the pieces that are free bodies, their masses
+      colours.py   materials → plain colours
+    meshes.py      surfaces → OBJ files that all levels share
+    mjcf.py, urdf.py   bodies → text
+    writing.py     the files of a level and of a building
+"""

@@ -1,0 +1,127 @@
+"""Collision shapes of furniture and leaves: a box or a convex part for each loose part of a mesh.
+
+Simulators take the convex hull of each part that is no box. Boxes are cheaper, and rest on each other more quietly, so a part
+that nearly fills the box around it becomes that box.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from checks.bodies import Part, parts_of
+from checks.shell_parts import FITTING_HEIGHT
+from gltf_file import GltfFile
+
+from .axes import points_up
+from .bodies import Box, Collider, Surface
+from .prisms import colliders_of_shell
+
+# Share of its box that a part fills from which on it is a box: a cushion with round edges is, a cylinder (0.785) is not.
+NEARLY_FULL = 0.9
+# Metres: half of the least thickness of a shape. A sheet has no volume, and simulators reject meshes without one.
+LEAST_HALF = 0.001
+# Cosine under which two normals are perpendicular.
+PERPENDICULAR = 1e-3
+# Metres by which the shapes of free pieces are smaller on all sides but the underside: pieces that touch must not press.
+MARGIN = 0.001
+
+
+def shell_colliders(gltf: GltfFile, mesh: int, has_fittings: bool) -> list[Collider]:
+    """Of a part of the building. Skirting boards and sockets (`has_fittings`) are no obstacles: furniture stands on them."""
+    found = []
+    for part in closed_parts(gltf.primitives(mesh)):
+        if not has_fittings or part.high[1] - part.low[1] >= FITTING_HEIGHT:
+            found += colliders_of_shell(part)
+    return found
+
+
+def closed_parts(primitives: list[dict]) -> list[Part]:
+    """The parts of a mesh. A surface whose sides have different materials, such as a wall with tiles, is one part."""
+    parts = parts_of(primitives)
+    opened = [part for part in parts if not is_closed(part)]
+    if not opened:
+        return parts
+    starts = np.cumsum([0, *(len(part.corners) for part in opened)])
+    together = {"positions": np.concatenate([part.corners for part in opened]),
+                "triangles": np.concatenate([part.triangles + start for part, start in zip(opened, starts)])}
+    return [part for part in parts if is_closed(part)] + parts_of([together])
+
+
+def is_closed(part: Part) -> bool:
+    """Whether each edge has as many triangles on one side as on the other."""
+    ends = np.concatenate([part.triangles[:, [0, 1]], part.triangles[:, [1, 2]], part.triangles[:, [2, 0]]])
+    signs = np.where(ends[:, 0] < ends[:, 1], 1, -1)
+    _, edge = np.unique(np.sort(ends, axis=1), axis=0, return_inverse=True)
+    return not np.bincount(edge.reshape(-1), signs).any()
+
+
+def furniture_colliders(gltf: GltfFile, mesh: int) -> list[Collider]:
+    """Of a piece or a leaf, in its own axes, Z up."""
+    return [collider_of(part) for part in closed_parts(gltf.primitives(mesh))]
+
+
+def collider_of(part: Part) -> Collider:
+    turn = box_axes(part)
+    corners = points_up(part.corners)
+    if turn is not None:
+        return box_around(corners, turn)
+    around, surface = box_around(corners, np.identity(3)), Surface(corners, part.triangles)
+    is_sheet = around.half.min() <= LEAST_HALF or surface.volume < 1e-9
+    return around if is_sheet or surface.volume > NEARLY_FULL * around.volume else surface
+
+
+def box_axes(part: Part) -> np.ndarray | None:
+    """The axes of a part that is a box, whichever way it is turned."""
+    if not part.is_convex or len(part.normals) != 3:
+        return None
+    normals = points_up(part.normals)
+    if np.abs(normals @ normals.T - np.identity(3)).max() > PERPENDICULAR:
+        return None
+    # The axis that is most upright is z, and the axes are right-handed.
+    order = np.argsort(np.abs(normals[:, 2]), kind="stable")
+    axes = normals[order]
+    axes *= np.where(axes[:, 2] < -PERPENDICULAR, -1.0, 1.0)[:, None]
+    axes[1] = np.cross(axes[2], axes[0])
+    return axes.T
+
+
+def box_around(corners: np.ndarray, turn: np.ndarray) -> Box:
+    """The box along given axes around some corners."""
+    own = corners @ turn
+    low, high = own.min(axis=0), own.max(axis=0)
+    return Box(turn @ ((low + high) / 2), turn, np.maximum((high - low) / 2, LEAST_HALF))
+
+
+def scaled(collider: Collider, stretch: np.ndarray) -> Collider:
+    """A shape in a frame that was scaled by hand."""
+    if np.array_equal(stretch, np.identity(3)):
+        return collider
+    if isinstance(collider, Box):
+        return box_around(collider.corners @ stretch.T, collider.turn)
+    return Surface(collider.corners @ stretch.T, collider.triangles)
+
+
+def shrunk(colliders: list[Collider]) -> list[Collider]:
+    """The shapes of a free piece: smaller by the margin, with the underside of the piece where it is."""
+    floor = min(collider.corners[:, 2].min() for collider in colliders)
+    return [shrink(collider, floor) for collider in colliders]
+
+
+def shrink(collider: Collider, floor: float) -> Collider:
+    corners = collider.corners
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    # A thin part keeps half of its thickness.
+    inset = np.minimum(MARGIN, (high - low) / 4)
+    under, over = low + inset, high - inset
+    if low[2] - floor < MARGIN:
+        under[2] = low[2]
+    factor = (over - under) / np.maximum(high - low, 1e-9)
+    if isinstance(collider, Box):
+        # The lengths of a turned box are along axes of their own.
+        half = collider.half - np.minimum(MARGIN, collider.half / 2)
+        lifted = collider.centre.copy()
+        if low[2] - floor < MARGIN:
+            lifted[2] -= float(np.abs(collider.turn[2]) @ (collider.half - half))
+        return Box(lifted, collider.turn, half)
+    return Surface(under + (corners - low) * factor, collider.triangles)
+
