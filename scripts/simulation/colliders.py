@@ -22,8 +22,10 @@ NEARLY_FULL = 0.9
 LEAST_HALF = 0.001
 # Cosine under which two normals are perpendicular.
 PERPENDICULAR = 1e-3
-# Metres by which the shapes of free pieces are smaller on all sides but the underside: pieces that touch must not press.
+# Metres by which the shapes of free pieces are narrower on each side: pieces that touch must not press.
 MARGIN = 0.001
+# Cosine of the steepest axis of a box that counts as lying.
+UPRIGHT = 0.5
 
 
 def shell_colliders(gltf: GltfFile, mesh: int, has_fittings: bool) -> list[Collider]:
@@ -101,27 +103,21 @@ def scaled(collider: Collider, stretch: np.ndarray) -> Collider:
     return Surface(collider.corners @ stretch.T, collider.triangles)
 
 
-def shrunk(colliders: list[Collider]) -> list[Collider]:
-    """The shapes of a free piece: smaller by the margin, with the underside of the piece where it is."""
-    floor = min(collider.corners[:, 2].min() for collider in colliders)
-    return [shrink(collider, floor) for collider in colliders]
+def shrunk(collider: Collider) -> Collider:
+    """A shape of a free piece: narrower by the margin on all sides.
 
-
-def shrink(collider: Collider, floor: float) -> Collider:
-    corners = collider.corners
-    low, high = corners.min(axis=0), corners.max(axis=0)
-    # A thin part keeps half of its thickness.
-    inset = np.minimum(MARGIN, (high - low) / 4)
-    under, over = low + inset, high - inset
-    if low[2] - floor < MARGIN:
-        under[2] = low[2]
-    factor = (over - under) / np.maximum(high - low, 1e-9)
+    Its height stays: pieces stand exactly on what carries them, and would fall as far as they were cut.
+    """
     if isinstance(collider, Box):
-        # The lengths of a turned box are along axes of their own.
-        half = collider.half - np.minimum(MARGIN, collider.half / 2)
-        lifted = collider.centre.copy()
-        if low[2] - floor < MARGIN:
-            lifted[2] -= float(np.abs(collider.turn[2]) @ (collider.half - half))
-        return Box(lifted, collider.turn, half)
-    return Surface(under + (corners - low) * factor, collider.triangles)
+        is_upright = np.abs(collider.turn[2]) > UPRIGHT
+        # A thin part keeps half of its thickness.
+        return Box(collider.centre, collider.turn, collider.half - np.where(is_upright, 0.0, inset(collider.half)))
+    low, high = collider.corners.min(axis=0), collider.corners.max(axis=0)
+    half = (high - low) / 2
+    factor = np.array([*(1.0 - inset(half)[:2] / np.maximum(half[:2], 1e-9)), 1.0])
+    centre = (low + high) / 2
+    return Surface(centre + (collider.corners - centre) * factor, collider.triangles)
 
+
+def inset(half: np.ndarray) -> np.ndarray:
+    return np.minimum(MARGIN, half / 2)

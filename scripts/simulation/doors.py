@@ -14,11 +14,13 @@ from gltf_file import GltfFile, Node
 from usd.physics import leaf_mass
 from usd.placing import swing_of
 
-from .bodies import Inertia, Joint
+from .bodies import Collider, Inertia, Joint
 
 UP_AXIS = (0.0, 0.0, 1.0)
 # Metres of a pair's leaves that stay beside each other's ends when one is fully open, for the stiles to stay in line.
 OVERLAP = 0.06
+# Metres that a leaf's body keeps from its frame.
+CLEARANCE = 0.004
 # Kilograms of a leaf whose surface is not closed.
 LEAST_MASS = 1.0
 
@@ -59,6 +61,13 @@ def extent(gltf: GltfFile, node: Node) -> tuple[float, float]:
 
 def leaf_inertia(gltf: GltfFile, node: Node, low: np.ndarray, high: np.ndarray) -> Inertia:
     return box_inertia(max(leaf_mass(gltf, node.mesh), LEAST_MASS), low, high)
+
+
+def without_fittings(colliders: list[Collider]) -> list[Collider]:
+    """The shapes of a hinged leaf without its hinges, which reach from its body into the frame."""
+    body = max(colliders, key=lambda collider: collider.volume)
+    start = body.corners[:, 0].min() - CLEARANCE
+    return [collider for collider in colliders if collider.corners[:, 0].min() >= start]
 
 
 def box_inertia(mass: float, low: np.ndarray, high: np.ndarray, centre: np.ndarray | None = None) -> Inertia:

@@ -12,15 +12,13 @@ from .axes import about_up, points_up, pose_up, split_scale
 from .bodies import Body, Collider, LevelModel, Surface, Visual
 from .colliders import furniture_colliders, scaled, shell_colliders, shrunk
 from .colours import Colours, Rgba
-from .doors import is_leaf, joint_of, leaf_inertia
+from .doors import is_leaf, joint_of, leaf_inertia, without_fittings
 from .movable import movable_pieces, piece_inertia
 
 # Parts that carry skirting boards, sockets and switches.
 WALLS = {"wall", "walls", "skirting"}
 # Corners that MuJoCo demands of a mesh.
 LEAST_CORNERS = 4
-# Parts that a leaf stands beside or on.
-AROUND_LEAVES = {"floor", "ceiling", "walls", "wall", "skirting", "column"}
 
 
 def read_level(gltf: GltfFile, heaviest: float | None) -> LevelModel:
@@ -61,24 +59,19 @@ class LevelReader:
         elif node.index in self.free and colliders:
             body.is_free = True
             body.inertia = piece_inertia(node, colliders)
-            body.colliders = shrunk(colliders)
+            body.colliders = [shrunk(collider) for collider in colliders]
         return body
 
     def hang(self, body: Body, node: Node) -> None:
         """Gives a leaf its joint, if it has one."""
         body.joint = joint_of(self.gltf, node)
         if body.joint is not None:
+            body.colliders = without_fittings(body.colliders) if body.joint.kind == "hinge" else body.colliders
             corners = np.concatenate([collider.corners for collider in body.colliders])
             body.inertia = leaf_inertia(self.gltf, node, corners.min(axis=0), corners.max(axis=0))
-            body.apart = [self.names[other.index] for other in self.neighbours(node)]
-
-    def neighbours(self, leaf: Node) -> list[Node]:
-        """The parts of the leaf's opening, and the shell of the rooms that it joins: its hinges hold it beside these."""
-        sides = leaf.parent.extras.get("sides", [])
-        rooms = {side.get("room") for side in sides if isinstance(side, dict)}
-        return [node for node in self.gltf.nodes if node.mesh is not None and node.kind == "part" and node is not leaf
-                and (node.parent is leaf.parent or node.extras.get("part") in AROUND_LEAVES
-                     and node.parent is not None and node.parent.extras.get("room") in rooms)]
+            # Shut leaves touch their frames and each other.
+            body.apart = [self.names[other.index] for other in self.gltf.nodes if other.parent is node.parent
+                          and other is not node and other.mesh is not None and other.kind == "part"]
 
     def colliders(self, node: Node) -> list[Collider]:
         key = node.mesh, shape_kind(node)
