@@ -24,7 +24,7 @@ class Environment(NamedTuple):
     command: str
 
 
-TOOLS = Environment(".venv", ("numpy", "shapely", "trimesh", "pxr", "tqdm", "jsonschema"),
+TOOLS = Environment(".venv", ("numpy", "shapely", "trimesh", "pxr", "tqdm", "jsonschema", "PIL"),
                     "source scripts/set_up.sh && set_up_python")
 PLANS = TOOLS._replace(modules=("numpy", "shapely", "tqdm", "yaml"))
 PICTURES = Environment(".venv-render", ("numpy", "bpy", "PIL"),

@@ -162,5 +162,5 @@ step "Viewers" viewers
 step "Tiles in viewers" tile_viewers
 step "The page of roomwright view" viewer
 step "WebAssembly" web
-step "pytest" counted env ROOMWRIGHT_BAKED="$work/release" ROOMWRIGHT_PROGRAM="$top/target/release/roomwright" .venv/bin/python -m pytest -q -n 2 --dist loadfile tests/scripts
+step "pytest" counted env ROOMWRIGHT_BAKED="$work/release" ROOMWRIGHT_PROGRAM="$top/target/release/roomwright" .venv/bin/python -m pytest -q -rs -n 2 --dist loadfile tests/scripts
 step_name=

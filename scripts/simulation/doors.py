@@ -17,6 +17,9 @@ from usd.placing import swing_of
 from .bodies import Collider, Inertia, Joint
 
 UP_AXIS = (0.0, 0.0, 1.0)
+# Damping and dry friction of leaves (newton metres and seconds, newtons and seconds): a door that is let go stops and stays,
+# and ten newtons at the handle move it.
+RESISTANCE = {"hinge": (2.0, 1.0), "slide": (10.0, 4.0)}
 # Metres of a pair's leaves that stay beside each other's ends when one is fully open, for the stiles to stay in line.
 OVERLAP = 0.06
 # Metres that a leaf's body keeps from its frame.

@@ -15,8 +15,8 @@ from .colours import Colours, Rgba
 from .doors import is_leaf, joint_of, leaf_inertia, without_fittings
 from .movable import movable_pieces, piece_inertia
 
-# Parts that carry skirting boards, sockets and switches.
-WALLS = {"wall", "walls", "skirting"}
+# Parts of a room that one stands on or under; its other parts may be or carry skirting boards, sockets and switches.
+SLABS = {"floor", "ceiling"}
 # Corners that MuJoCo demands of a mesh.
 LEAST_CORNERS = 4
 
@@ -55,18 +55,20 @@ class LevelReader:
         colliders = [scaled(collider, stretch) for collider in self.colliders(node)]
         body = Body(self.names[node.index], pose, colliders, [stretched(visual, stretch) for visual in self.visuals(node.mesh)])
         if is_leaf(node):
-            self.hang(body, node)
+            self.hang(body, colliders, node)
         elif node.index in self.free and colliders:
             body.is_free = True
             body.inertia = piece_inertia(node, colliders)
             body.colliders = [shrunk(collider) for collider in colliders]
         return body
 
-    def hang(self, body: Body, node: Node) -> None:
+    def hang(self, body: Body, colliders: list[Collider], node: Node) -> None:
         """Gives a leaf its joint, if it has one."""
         body.joint = joint_of(self.gltf, node)
         if body.joint is not None:
-            body.colliders = without_fittings(body.colliders) if body.joint.kind == "hinge" else body.colliders
+            # A shut sliding leaf touches the frame at its end.
+            body.colliders = (without_fittings(colliders) if body.joint.kind == "hinge" else
+                              [shrunk(collider) for collider in colliders])
             corners = np.concatenate([collider.corners for collider in body.colliders])
             body.inertia = leaf_inertia(self.gltf, node, corners.min(axis=0), corners.max(axis=0))
             # Shut leaves touch their frames and each other.
@@ -99,7 +101,8 @@ def shape_kind(node: Node) -> str:
         return "loose" if properties_of(node.extras["class"])["shape"] else "none"
     if node.extras.get("part") == "leaf":
         return "loose"
-    return "walls" if node.extras.get("part") in WALLS else "shell"
+    is_of_room = node.parent is not None and node.parent.kind == "room"
+    return "walls" if is_of_room and node.extras.get("part") not in SLABS else "shell"
 
 
 def surface_of(positions: np.ndarray, triangles: np.ndarray) -> Surface:

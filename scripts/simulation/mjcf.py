@@ -15,13 +15,11 @@ import numpy as np
 
 from .axes import number, numbers, quaternion, small_numbers
 from .bodies import Body, Box, Joint, LevelModel
+from .doors import RESISTANCE
 from .meshes import CONVEX, Meshes
 
 # Seconds of a step, as MuJoCo's own default.
 TIME_STEP = 0.002
-# Damping and dry friction: a door that is let go stops within a turn of some degrees, and ten newtons at the handle move it.
-JOINTS = {"hinge": {"damping": "1", "frictionloss": "0.5", "armature": "0.01"},
-          "slide": {"damping": "10", "frictionloss": "4", "armature": "0.1"}}
 UNTURNED = np.array([1.0, 0.0, 0.0, 0.0])
 
 
@@ -56,8 +54,9 @@ def empty_document(name: str, mesh_folder: str) -> Element:
     seen = SubElement(defaults, "default", {"class": "visual"})
     SubElement(seen, "geom", type="mesh", contype="0", conaffinity="0", group="2", mass="0")
     SubElement(SubElement(defaults, "default", {"class": "collision"}), "geom", group="3")
-    for kind, values in JOINTS.items():
-        SubElement(SubElement(defaults, "default", {"class": kind}), "joint", type=kind, **values)
+    for kind, (damping, friction) in RESISTANCE.items():
+        SubElement(SubElement(defaults, "default", {"class": kind}), "joint", type=kind, damping=number(damping),
+                   frictionloss=number(friction))
     for section in ("asset", "worldbody", "contact"):
         SubElement(root, section)
     return root

@@ -1,6 +1,6 @@
 """Levels in URDF, the format of ROS and of most simulators.
 
-Every body is a link, joined to the link of the level: by a hinge or slide, as `floating` where it is free, fixed elsewhere.
+Every body is a link, joined to the link `world`: by a hinge or slide, as `floating` where it is free, fixed elsewhere.
 """
 
 from __future__ import annotations
@@ -11,11 +11,13 @@ import numpy as np
 
 from .axes import number, numbers, roll_pitch_yaw, small_numbers
 from .bodies import Body, Box, LevelModel
+from .doors import RESISTANCE
 from .level import shut_pose
 from .meshes import CONVEX, Meshes
 
+# The link that stands still: readers know it by this name, and free bodies may hang on nothing else.
+WORLD = "world"
 KINDS = {"hinge": "revolute", "slide": "prismatic"}
-DYNAMICS = {"hinge": {"damping": "1", "friction": "0.5"}, "slide": {"damping": "10", "friction": "4"}}
 # What URDF demands of every joint with a range: newton metres or newtons, and radians or metres a second.
 LIMITS = {"effort": "100", "velocity": "10"}
 
@@ -24,11 +26,11 @@ def level_document(level: LevelModel, meshes: Meshes, mesh_folder: str) -> Eleme
     root = Element("robot", name=level.name)
     # MuJoCo's reader drops the folders of meshes unless it is told not to; other readers pass over this element.
     SubElement(SubElement(root, "mujoco"), "compiler", strippath="false", fusestatic="false")
-    SubElement(root, "link", name=level.name)
+    SubElement(root, "link", name=WORLD)
     colours: dict[tuple, str] = {}
     for body in level.bodies:
         add_link(root, body, meshes, mesh_folder, colours)
-        add_joint(root, level.name, body)
+        add_joint(root, body)
     return root
 
 
@@ -59,17 +61,18 @@ def add_mesh(parent: Element, file: str) -> None:
     SubElement(SubElement(parent, "geometry"), "mesh", filename=file)
 
 
-def add_joint(root: Element, level: str, body: Body) -> None:
+def add_joint(root: Element, body: Body) -> None:
     kind = "floating" if body.is_free else KINDS[body.joint.kind] if body.joint is not None else "fixed"
     joint = SubElement(root, "joint", name=f"{body.name}/joint", type=kind)
     pose = body.pose if body.joint is None else shut_pose(body)
     add_origin(joint, pose[:3, 3], pose[:3, :3])
-    SubElement(joint, "parent", link=level)
+    SubElement(joint, "parent", link=WORLD)
     SubElement(joint, "child", link=body.name)
     if body.joint is not None:
         SubElement(joint, "axis", xyz=numbers(body.joint.axis))
         SubElement(joint, "limit", lower=number(body.joint.low), upper=number(body.joint.high), **LIMITS)
-        SubElement(joint, "dynamics", **DYNAMICS[body.joint.kind])
+        damping, friction = RESISTANCE[body.joint.kind]
+        SubElement(joint, "dynamics", damping=number(damping), friction=number(friction))
 
 
 def add_origin(parent: Element, position: np.ndarray, turn: np.ndarray) -> None:

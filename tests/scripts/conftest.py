@@ -17,9 +17,10 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
 
 # Blender's Python has none of what convert.py and validate.py need: their tests are left out there.
-TOOLS = ("pxr", "shapely", "trimesh", "tqdm", "jsonschema")
+TOOLS = ("pxr", "shapely", "trimesh", "tqdm", "jsonschema", "PIL")
 LACKS = [module for module in TOOLS if importlib.util.find_spec(module) is None]
-NEED_TOOLS = ["test_convert.py", "test_hostile_files.py", "test_judge*.py", "test_pairs.py", "test_readers.py", "test_usd_*.py", "test_validate*.py"]
+NEED_TOOLS = ["test_convert.py", "test_hostile_files.py", "test_judge*.py", "test_pairs.py", "test_readers.py", "test_simulation*.py",
+              "test_usd_*.py", "test_validate*.py"]
 PLAN_TOOLS = ("shapely", "tqdm", "yaml")
 LACKS_OF_PLANS = [module for module in PLAN_TOOLS if importlib.util.find_spec(module) is None]
 collect_ignore_glob = (NEED_TOOLS if LACKS else []) + (["test_check_plans.py", "test_plan_statistics.py"] if LACKS_OF_PLANS else [])
