@@ -5,6 +5,7 @@
       colliders.py furniture → boxes and convex parts
       doors.py     leaves → hinges and slides
       movable.py   the pieces that are free bodies, their masses
+      pressing.py  the free pieces that begin inside of others, which are fixed
       colours.py   materials → plain colours
     meshes.py      surfaces → OBJ files that all levels share
     mjcf.py, urdf.py   bodies → text

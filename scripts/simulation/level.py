@@ -14,6 +14,7 @@ from .colliders import furniture_colliders, scaled, shell_colliders, shrunk
 from .colours import Colours, Rgba
 from .doors import is_leaf, joint_of, leaf_inertia, without_fittings
 from .movable import movable_pieces, piece_inertia
+from .pressing import fix_pressed
 
 # Parts of a room that one stands on or under; its other parts may be or carry skirting boards, sockets and switches.
 SLABS = {"floor", "ceiling"}
@@ -48,7 +49,10 @@ class LevelReader:
         for node in self.gltf.nodes:
             self.names[node.index] = unique(path_of(node), taken)
         nodes = [node for node in self.gltf.nodes if node.mesh is not None and node.kind in ("part", "furniture")]
-        return [self.body(node) for node in nodes]
+        bodies = [self.body(node) for node in nodes]
+        if self.free:
+            fix_pressed(bodies)
+        return bodies
 
     def body(self, node: Node) -> Body:
         pose, stretch = split_scale(pose_up(node.world))

@@ -214,6 +214,21 @@ class TestMovable:
         np.testing.assert_allclose(high, [1.799, 0.799, 0.74], atol=1e-6)
 
 
+    @pytest.mark.parametrize(("height", "is_free"), [(0.74, True), (0.739, True), (0.73, False), (0.3, False)])
+    def test_a_piece_inside_of_another_is_fixed(self, floor, tmp_path, height, is_free):
+        floor.find("lamp.1@101")["translation"][1] = height
+        assert set(self.free(floor, tmp_path)[1]) == ({"lamp.1"} if is_free else set())
+
+    def test_boxes_that_overlap_beside_each_other_are_free(self, floor, tmp_path):
+        """The boxes around two turned pieces overlap, the pieces do not."""
+        room = floor.document["nodes"].index(floor.find("room:101"))
+        mesh = floor.box_mesh("stool", 0.4, 0.4, 0.4)
+        for number, (x, z) in enumerate([(0.0, 0.0), (0.3, 0.3)], 1):
+            floor.node(f"stool.{number}@101", furniture("stool", number, "floor", "above", (0.4, 0.4, 0.4)), room, mesh,
+                       at=(1.0 + x, 0.0, -2.0 + z), turn=math.pi / 4)
+        assert set(self.free(floor, tmp_path)[1]) == {"lamp.1", "stool.1", "stool.2"}
+
+
 class TestShapes:
     """Walls and floors as convex pieces."""
 
