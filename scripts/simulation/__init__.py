@@ -10,4 +10,5 @@
     meshes.py      surfaces → OBJ files that all levels share
     mjcf.py, urdf.py   bodies → text
     writing.py     the files of a level and of a building
+    bake.py        whether a folder is a finished bake
 """

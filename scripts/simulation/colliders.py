@@ -32,9 +32,15 @@ def shell_colliders(gltf: GltfFile, mesh: int, has_fittings: bool) -> list[Colli
     """Of a part of the building. Skirting boards and sockets (`has_fittings`) are no obstacles: furniture stands on them."""
     found = []
     for part in closed_parts(gltf.primitives(mesh)):
-        if not has_fittings or part.high[1] - part.low[1] >= FITTING_HEIGHT:
+        if not has_fittings or not is_fitting(part):
             found += colliders_of_shell(part)
     return found
+
+
+def is_fitting(part: Part) -> bool:
+    """Whether a part of a wall is a skirting board, which is low, or a socket or switch, which is small; a rail is neither."""
+    size = part.high - part.low
+    return bool(size[1] < FITTING_HEIGHT and (part.low[1] < FITTING_HEIGHT or size.max() < FITTING_HEIGHT))
 
 
 def closed_parts(primitives: list[dict]) -> list[Part]:

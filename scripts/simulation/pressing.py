@@ -1,7 +1,7 @@
 """Free pieces that begin inside of others: simulators would shoot them out.
 
-Full models only touch. The blocks of `bake --detail boxes` overlap where a chair stands under a table, and so may pieces that were
-moved by hand. Such pieces are fixed.
+Full models only touch. The blocks of `bake --detail boxes` overlap where a chair stands under a table, and so may pieces that
+were moved by hand. Such pieces are fixed.
 """
 
 from __future__ import annotations

@@ -8,12 +8,13 @@ import pytest
 import shapely
 from conftest import build_floor, furniture, write_manifest
 from simulation_reading import at, bodies, document, extent, is_in_convex, mesh_points, run, shapes, vector
-from test_usd_doors import HINGE, OPEN_TIP, SHUT_TIP, add_door
+from test_usd_doors import HINGE, OPEN_TIP, SHUT_TIP, add_door, move_points
 
 from checks.bodies import parts_of
 from gltf_file import GltfFile
 from simulation.axes import quaternion, roll_pitch_yaw
 from simulation.bodies import Surface
+from simulation.level import read_level
 from simulation.prisms import area_of, colliders_of_shell, convex_pieces, prism
 
 ROOM = "house/ground/101"
@@ -248,6 +249,21 @@ class TestShapes:
         assert sorted(box.half) == pytest.approx([0.15, 1.25, 2.0])
         np.testing.assert_allclose(sorted(map(tuple, np.round(box.corners[box.corners[:, 2] == 0][:, :2], 6))),
                                    sorted(map(tuple, np.round(shapely.get_coordinates(turned)[:4], 6))), atol=1e-6)
+
+    @pytest.mark.parametrize(("size", "height", "is_obstacle"), [
+        ((2.0, 0.01, 0.07), 0.0, False), ((0.08, 0.01, 0.08), 0.3, False), ((2.0, 0.05, 0.05), 1.0, True),
+        ((2.0, 0.1, 2.5), 0.0, True),
+    ])
+    def test_skirting_boards_and_sockets_are_no_obstacles_and_rails_are(self, size, height, is_obstacle, tmp_path):
+        floor = build_floor()
+        mesh = floor.box_mesh("walls", *size)
+        for accessor in {primitive["attributes"]["POSITION"] for primitive in floor.document["meshes"][mesh]["primitives"]}:
+            move_points(floor, accessor, (0.0, height, 0.0))
+        room = floor.document["nodes"].index(floor.find("room:101"))
+        floor.node("walls@101", {"kind": "part", "part": "walls", "id": "walls", "tags": []}, room, mesh)
+        level = read_level(GltfFile(floor.write(tmp_path / "ground.glb")), None)
+        found = next(body for body in level.bodies if body.name == f"{ROOM}/walls")
+        assert bool(found.colliders) is is_obstacle and found.visuals
 
     def test_pieces_fill_the_parts_of_a_baked_level(self, baked):
         gltf = GltfFile(min(baked.rglob("*.glb"), key=lambda file: file.stat().st_size))
