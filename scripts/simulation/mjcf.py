@@ -48,6 +48,8 @@ def empty_document(name: str, mesh_folder: str) -> Element:
     root = Element("mujoco", model=name)
     SubElement(root, "compiler", angle="radian", meshdir=mesh_folder)
     SubElement(root, "option", timestep=number(TIME_STEP), integrator="implicitfast", cone="elliptic")
+    # Rooms have no lights of their own here, and MuJoCo's own headlight leaves them dark.
+    SubElement(SubElement(root, "visual"), "headlight", ambient="0.4 0.4 0.4", diffuse="0.6 0.6 0.6", specular="0.1 0.1 0.1")
     defaults = SubElement(root, "default")
     # The models have sheets, such as pictures, that have no volume to weigh.
     SubElement(defaults, "mesh", inertia="shell")
