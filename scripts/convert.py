@@ -193,7 +193,7 @@ def asked_of(jobs: list[Job], written: dict[Job, Written], folders: list[Path]) 
 
 
 def report(removal: Removal) -> None:
-    """Reports the removed files by name, and the removed models and images, which are many, by their count."""
+    """Reports the removed files by name, and the removed models, meshes and images, which are many, by their count."""
     shared = [path for path in removal.removed if path.startswith(SHARED)]
     for path in removal.removed:
         if path not in shared:

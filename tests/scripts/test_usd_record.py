@@ -68,7 +68,7 @@ def test_models_that_nothing_uses_any_more_go(bake, capsys):
         floor.write(file)
     after = converted(bake)
     assert len(before) == len(after) and len(before - after) == 2, "a desk and a lamp of another colour"
-    assert "convert: removed 2 models and images that nothing uses any more" in capsys.readouterr().err
+    assert "convert: removed 2 models, meshes and images that nothing uses any more" in capsys.readouterr().err
 
 
 def test_a_run_for_one_floor_takes_no_other_away(bake):
