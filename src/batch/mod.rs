@@ -7,6 +7,7 @@
 //! - a fault of one level, also one of the program itself, does not stop the others.
 
 mod bug;
+mod chosen;
 mod claim;
 mod coarser;
 mod context;
@@ -28,6 +29,7 @@ mod part_file;
 mod parts;
 mod place;
 mod plan_paths;
+mod planned;
 mod program;
 mod record;
 mod shared;
@@ -55,6 +57,7 @@ pub(crate) use manifest::{LARGEST_RECORDS, MANIFEST_NAME, parse_manifest};
 pub use options::{BakeOptions, Shard, Unplanned};
 pub use parts::{PartsReport, merge_parts};
 pub use plan_paths::{record_plans, recorded_plan};
+pub(crate) use planned::planned_levels;
 pub use program::PROGRAM;
 pub use record::{FileRecord, Totals};
 pub use unplanned::Leftovers;

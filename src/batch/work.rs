@@ -5,6 +5,7 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
+use super::chosen::chosen_among;
 use super::context::Context;
 use super::event::{BakeReport, Event, LevelFailure, LevelMisfit, Observer, Stage, Stopwatch};
 use super::fault::{FaultCode, OutputFault};
@@ -136,7 +137,7 @@ pub(super) fn write_all<'a, T: Task>(
 fn share_of<T: Task>(jobs: &[T], options: &BakeOptions) -> Result<Vec<bool>, OutputFault> {
     let is_dealt = |index: usize| options.shard.is_none_or(|shard| shard.takes(index));
     let dealt = || Ok((0..jobs.len()).map(is_dealt).collect());
-    options.only_levels.as_ref().map_or_else(dealt, |chosen| chosen.among(jobs))
+    options.only_levels.as_ref().map_or_else(dealt, |chosen| chosen_among(chosen, jobs))
 }
 
 /// The work of all threads so far. Sums only: the order in which levels finish leaves no trace.

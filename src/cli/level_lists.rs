@@ -6,7 +6,7 @@ use super::bake::{Request, understand};
 use super::exit::Outcome;
 use super::screen::Screen;
 use super::watch::Inputs;
-use crate::batch::{BakeInput, LevelList};
+use crate::batch::{BakeInput, planned_levels};
 use crate::document::Fault;
 use crate::output::{INDEX_NAME, output_format};
 use crate::project::Project;
@@ -41,7 +41,7 @@ pub(super) fn list_levels(request: Request, screen: Screen) -> Outcome {
     let is_read = !run.teller.is_demo;
     let sources = is_read.then(|| Inputs::of_reading(&typed, Ok((plan, faults))).found());
     let input = BakeInput { plan, edits, catalog, models, options: &run.options };
-    let list = LevelList::of(&input, sources.unwrap_or_default());
+    let list = planned_levels(&input, sources.unwrap_or_default());
     if screen.is_json {
         screen.json(&list);
     } else {

@@ -39,3 +39,50 @@ impl<'a> EmptyFloors<'a> {
         self.wheelchair.get_or_init(|| Floor::empty_for_wheelchair(self.at, self.rules)).as_deref()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalog::AuditRules;
+    use crate::geometry::Point;
+    use crate::plan::{LeafDraft, Level, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, RoomDraft};
+
+    /// A room with a door in the middle of its first wall.
+    fn level(width: f64) -> Level {
+        let corners = [(0.0, 0.0), (width, 0.0), (width, 4.0), (0.0, 4.0)];
+        let room = RoomDraft {
+            id: "room".to_owned(),
+            outline: corners.map(|(x, y)| Point::new(x, y)).to_vec(),
+            ..RoomDraft::default()
+        };
+        let door = OpeningDraft {
+            id: "door".to_owned(),
+            kind: OpeningKind::Door,
+            place: OpeningPlace::Points { center: Point::new(width / 2.0, 0.0), along: None },
+            rooms: vec!["room".to_owned()],
+            width: 0.9,
+            bottom: 0.0,
+            top: 2.0,
+            leaf: LeafDraft::Automatic,
+        };
+        let draft =
+            LevelDraft { height: 3.0, rooms: vec![room], openings: vec![door], ..LevelDraft::default() };
+        crate::plan::assemble_level(draft).0
+    }
+
+    fn empty(level: &Level) -> Rc<Floor> {
+        Floor::empty(level.room(0), &AuditRules::default().walking).unwrap()
+    }
+
+    #[test]
+    fn equal_rooms_have_one_floor_and_others_have_theirs() {
+        let floor = empty(&level(3.0));
+        assert!(Rc::ptr_eq(&floor, &empty(&level(3.0))));
+        let (wider, mut closed) = (empty(&level(4.0)), level(3.0));
+        assert!(wider.cell_count() > floor.cell_count());
+        closed.openings[0].kind = OpeningKind::Window;
+        assert!(Floor::empty(closed.room(0), &AuditRules::default().walking).is_none());
+        let wheelchair = Floor::empty_for_wheelchair(level(3.0).room(0), &AuditRules::default()).unwrap();
+        assert!(!Rc::ptr_eq(&floor, &wheelchair));
+    }
+}

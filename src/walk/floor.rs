@@ -2,6 +2,7 @@
 
 use core::cmp::Reverse;
 use core::ops::Range;
+use std::cell::RefCell;
 use std::rc::Rc;
 
 use crate::catalog::{AccessRules, AuditRules, WalkingRules};
@@ -9,7 +10,7 @@ use crate::geometry::{Bounds, DisjointSets, Point, Segment, Solid, distance_to_c
 use crate::plan::{Room, RoomOpening, RoomRef};
 
 use super::gaps::{Cells, Obstacle, fixed_obstacles};
-use super::known::{floor_of, shape};
+use super::known::{Known, shape};
 use super::raster::{Raster, cell_around};
 
 /// The floor of a room with what stands on it.
@@ -28,6 +29,11 @@ pub(crate) struct Floor {
     fixed: Rc<[Obstacle]>,
     /// The diameters of the discs for which gaps are known exactly.
     widths: [f64; 2],
+}
+
+thread_local! {
+    /// Floors of empty rooms that this thread has made.
+    static KNOWN: RefCell<Known<Floor>> = RefCell::default();
 }
 
 /// How far a door reaches, in metres from the wall's inner face.
@@ -114,7 +120,8 @@ impl Floor {
         }
         let widths = [rules.person, rules.narrow_person];
         let further = [widest, depth.behind, depth.before, widths[0], widths[1]];
-        Some(floor_of(shape(at, &doors, &further), || Self::new(at.room, &doors, widths, (widest, depth))))
+        let make = || Self::new(at.room, &doors, widths, (widest, depth));
+        Some(KNOWN.with_borrow_mut(|known| known.value(shape(at, &doors, &further), make, Self::cell_count)))
     }
 
     /// The floor of a room with its walkable openings.

@@ -1,13 +1,10 @@
-//! Remembers the floors of empty rooms: the levels of a tower are drawn once and stand there fifty times.
+//! Remembers what is made for the shapes of rooms: the levels of a tower are drawn once and stand there fifty times.
 
-use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
 
 use crate::geometry::Segment;
 use crate::plan::{RoomOpening, RoomRef};
-
-use super::floor::Floor;
 
 /// Cells of all floors that a thread remembers, which are about 8 MB: more than a level of forty rooms has.
 const MOST_CELLS: usize = 2_000_000;
@@ -30,92 +27,58 @@ pub(super) fn shape(at: RoomRef<'_>, doors: &[&RoomOpening], further: &[f64]) ->
     counts.into_iter().chain(places).chain(numbers.map(f64::to_bits)).collect()
 }
 
-/// What a thread remembers. Floors depend on their shapes alone, so that nothing depends on what is remembered.
-#[derive(Default)]
-struct Known {
-    floors: HashMap<Shape, Rc<Floor>>,
+/// What a thread remembers, by shape. Values depend on their shapes alone, so that nothing depends on what is remembered.
+pub(super) struct Known<T> {
+    values: HashMap<Shape, Rc<T>>,
     cells: usize,
 }
 
-thread_local! {
-    static KNOWN: RefCell<Known> = RefCell::default();
+impl<T> Default for Known<T> {
+    fn default() -> Self {
+        Self { values: HashMap::new(), cells: 0 }
+    }
 }
 
-/// The floor of a shape: the remembered one, or one that is made, and remembered.
-pub(super) fn floor_of(shape: Shape, make: impl FnOnce() -> Floor) -> Rc<Floor> {
-    KNOWN.with_borrow_mut(|known| {
-        if let Some(floor) = known.floors.get(&shape) {
-            return Rc::clone(floor);
+impl<T> Known<T> {
+    /// The value of a shape: the remembered one, or one that is made, and remembered by the number of its cells.
+    pub(super) fn value(
+        &mut self,
+        shape: Shape,
+        make: impl FnOnce() -> T,
+        cells: impl FnOnce(&T) -> usize,
+    ) -> Rc<T> {
+        if let Some(value) = self.values.get(&shape) {
+            return Rc::clone(value);
         }
-        let floor = Rc::new(make());
-        if known.cells + floor.cell_count() > MOST_CELLS {
-            *known = Known::default();
+        let value = Rc::new(make());
+        let cells = cells(&value);
+        if self.cells + cells > MOST_CELLS {
+            *self = Self::default();
         }
         // A hall that is larger than all others together is made anew each time.
-        if floor.cell_count() <= MOST_CELLS {
-            known.cells += floor.cell_count();
-            known.floors.insert(shape, Rc::clone(&floor));
+        if cells <= MOST_CELLS {
+            self.cells += cells;
+            self.values.insert(shape, Rc::clone(&value));
         }
-        floor
-    })
+        value
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalog::AuditRules;
-    use crate::geometry::Point;
-    use crate::plan::{LeafDraft, Level, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, RoomDraft};
-
-    /// A room with a door in the middle of its first wall.
-    fn level(width: f64) -> Level {
-        let corners = [(0.0, 0.0), (width, 0.0), (width, 4.0), (0.0, 4.0)];
-        let room = RoomDraft {
-            id: "room".to_owned(),
-            outline: corners.map(|(x, y)| Point::new(x, y)).to_vec(),
-            ..RoomDraft::default()
-        };
-        let door = OpeningDraft {
-            id: "door".to_owned(),
-            kind: OpeningKind::Door,
-            place: OpeningPlace::Points { center: Point::new(width / 2.0, 0.0), along: None },
-            rooms: vec!["room".to_owned()],
-            width: 0.9,
-            bottom: 0.0,
-            top: 2.0,
-            leaf: LeafDraft::Automatic,
-        };
-        let draft =
-            LevelDraft { height: 3.0, rooms: vec![room], openings: vec![door], ..LevelDraft::default() };
-        crate::plan::assemble_level(draft).0
-    }
-
-    fn empty(level: &Level) -> Rc<Floor> {
-        Floor::empty(level.room(0), &AuditRules::default().walking).unwrap()
-    }
-
-    #[test]
-    fn equal_rooms_have_one_floor_and_others_have_theirs() {
-        let floor = empty(&level(3.0));
-        assert!(Rc::ptr_eq(&floor, &empty(&level(3.0))));
-        let (wider, mut closed) = (empty(&level(4.0)), level(3.0));
-        assert!(wider.cell_count() > floor.cell_count());
-        closed.openings[0].kind = OpeningKind::Window;
-        assert!(Floor::empty(closed.room(0), &AuditRules::default().walking).is_none());
-        let wheelchair = Floor::empty_for_wheelchair(level(3.0).room(0), &AuditRules::default()).unwrap();
-        assert!(!Rc::ptr_eq(&floor, &wheelchair));
-    }
 
     #[test]
     fn what_is_remembered_is_bounded() {
-        let first = empty(&level(3.0));
-        // Each of these halls has 48,000 cells or more.
-        (0..50).for_each(|number| drop(empty(&level(30.0 + f64::from(number)))));
-        KNOWN.with_borrow(|known| {
-            assert!(known.cells <= MOST_CELLS);
-            assert_eq!(known.cells, known.floors.values().map(|floor| floor.cell_count()).sum::<usize>());
-        });
-        assert!(!Rc::ptr_eq(&first, &empty(&level(3.0))));
-        assert_eq!(first.cell_count(), empty(&level(3.0)).cell_count());
+        let mut known = Known::default();
+        let first = known.value(vec![0], || 0, |_| 1);
+        assert!(Rc::ptr_eq(&first, &known.value(vec![0], || 1, |_| 1)));
+        for number in 1..100 {
+            assert_eq!(*known.value(vec![number], || number, |_| 150_000), number);
+            assert!(known.cells <= MOST_CELLS && known.values.len() <= 14);
+        }
+        assert!(!Rc::ptr_eq(&first, &known.value(vec![0], || 0, |_| 1)));
+        let huge = known.value(vec![100], || 100, |_| MOST_CELLS + 1);
+        assert!(!Rc::ptr_eq(&huge, &known.value(vec![100], || 100, |_| MOST_CELLS + 1)));
     }
 }
