@@ -33,8 +33,8 @@ pub(crate) struct MergeArguments {
     /// The output folder.
     #[arg(value_name = "DIR", default_value = "out")]
     pub(crate) folder: PathBuf,
-    /// Join the parts manifest.<I>-of-<N>.json in this folder and in the folders in it, without looking for the files of the
-    /// levels, which lie elsewhere. All parts of one division must be there, and must not contradict each other.
+    /// Join the parts (manifest.1-of-4.json and so on) in this folder and in the folders in it, without looking for the files
+    /// of the levels, which lie elsewhere. All parts of one division must be there, and must not contradict each other.
     #[arg(long, value_name = "DIR", conflicts_with = "folder")]
     pub(crate) records: Option<PathBuf>,
     /// The levels that the plans have, as `bake --list-levels --json` prints them. Levels that no part has are
