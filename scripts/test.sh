@@ -108,7 +108,8 @@ viewers() {
   counted env ROOMWRIGHT_BAKED="$work/release" node --test --test-reporter=./tests/viewers/report.mjs tests/viewers/viewers.test.mjs
 }
 
-# Tiles in the clients that stream cities, where there is a browser to open them in; ROOMWRIGHT_LONG=1 flies to a tower, too.
+# Tiles in the clients that stream cities, where there is a browser to open them in; ROOMWRIGHT_LONG=1 picks 240 pixels and flies to
+# a tower, too.
 tile_viewers() {
   if ! node tests/viewers/find_chromium.mjs; then
     echo "skipped: CesiumJS and 3d-tiles-renderer need it"
