@@ -219,7 +219,7 @@ class TestKhronos:
         floor.write(tmp_path / "ground.glb")
         write_manifest(tmp_path)
         assert validate.main([str(tmp_path), "--jobs", "2"]) == 0
-        assert "1 files, 1 manifests, 1 floors, 7 nodes, 1 rooms, 3 furniture: 0 faults" in capsys.readouterr().out
+        assert "1 files, 1 manifests, 0 tilesets, 1 floors, 7 nodes, 1 rooms, 3 furniture: 0 faults" in capsys.readouterr().out
         set_extra("desk.1@101", side="top")(floor)
         floor.write(tmp_path / "ground.glb")
         assert validate.main([str(tmp_path), "--json"]) == 1
