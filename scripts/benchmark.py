@@ -20,22 +20,12 @@ import tempfile
 import time
 from pathlib import Path
 
+from measuring import measured
+
 ROOT = Path(__file__).resolve().parent.parent
 PROGRAM = ROOT / "target" / "release" / "roomwright"
 ROOMS_PER_TOWER = 1000
 STAGES = ["layout", "audit", "scene", "encoding", "writing"]
-
-# Prints wall seconds and peak memory of one command in a process of its own, so that maxima do not mix.
-MEASURE = """
-import json, resource, subprocess, sys, time
-start = time.monotonic()
-done = subprocess.run(sys.argv[1:], stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True)
-seconds = time.monotonic() - start
-usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-unit = 1 if sys.platform == "darwin" else 1024
-print(json.dumps({"code": done.returncode, "seconds": seconds, "peak_bytes": usage.ru_maxrss * unit,
-                  "processor_seconds": usage.ru_utime + usage.ru_stime, "stderr": done.stderr}))
-"""
 
 
 def fail(message):
@@ -48,13 +38,12 @@ def build():
 
 
 def measure(*arguments):
-    command = [sys.executable, "-c", MEASURE, str(PROGRAM), *map(str, arguments)]
-    result = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
-    if result["code"]:
-        fail(f"{arguments} ended with {result['code']}:\n{result['stderr'][-2000:]}")
-    events = [json.loads(line) for line in result["stderr"].splitlines() if line.startswith("{")]
-    result["finished"] = next((event for event in events if event["event"] == "finished"), None)
-    return result
+    """What a run cost, and its last event."""
+    run = measured([PROGRAM, *arguments])
+    if run.code:
+        fail(f"{arguments} ended with {run.code}:\n{run.stderr[-2000:]}")
+    events = [json.loads(line) for line in run.stderr.splitlines() if line.startswith("{")]
+    return run, next((event for event in events if event["event"] == "finished"), None)
 
 
 def write_city(folder, rooms):
@@ -134,33 +123,34 @@ def city_figures(work, rooms):
     small_rooms = max(ROOMS_PER_TOWER, rooms // 10)
     large, small = write_city(work, rooms), write_city(work, small_rooms)
 
-    one = bake(large, work / "one", 1)
+    one, _ = bake(large, work / "one", 1)
     shutil.rmtree(work / "one")
-    two = bake(large, work / "two", 2)
-    again = bake(large, work / "two", 2)
-    if again["finished"]["levels"]:
+    two, finished = bake(large, work / "two", 2)
+    again, kept = bake(large, work / "two", 2)
+    if kept["levels"]:
         fail("the second run baked something")
     plainly = write_plainly(work / "two", work / "copy")
     size = sum(path.stat().st_size for path in (work / "two").rglob("*") if path.is_file())
     shutil.rmtree(work / "copy")
     shutil.rmtree(work / "two")
-    little = bake(small, work / "small", 2)
+    little, small_finished = bake(small, work / "small", 2)
 
-    baked = two["finished"]["rooms"]
-    work_seconds = sum(two["finished"]["stage_seconds"][stage] for stage in STAGES)
-    split = ", ".join(f"{stage} {100 * two['finished']['stage_seconds'][stage] / work_seconds:.0f} %" for stage in STAGES)
+    baked = finished["rooms"]
+    stages = finished["stage_seconds"]
+    work_seconds = sum(stages[stage] for stage in STAGES)
+    split = ", ".join(f"{stage} {100 * stages[stage] / work_seconds:.0f} %" for stage in STAGES)
     return [
-        (f"city of {baked:,} rooms, 2 threads", f"{baked / two['seconds']:,.0f} rooms/s ({two['seconds']:.1f} s)",
+        (f"city of {baked:,} rooms, 2 threads", f"{baked / two.seconds:,.0f} rooms/s ({two.seconds:.1f} s)",
          "≥ 3,000 rooms/s"),
-        ("the same, 1 thread", f"{baked / one['seconds']:,.0f} rooms/s ({one['seconds']:.1f} s)", ""),
-        ("2 threads against 1", f"{one['seconds'] / two['seconds']:.2f} ×", "≥ 1.8 ×"),
-        ("second run, nothing changed", f"{again['seconds']:.2f} s, {two['seconds'] / again['seconds']:.0f} × faster",
+        ("the same, 1 thread", f"{baked / one.seconds:,.0f} rooms/s ({one.seconds:.1f} s)", ""),
+        ("2 threads against 1", f"{one.seconds / two.seconds:.2f} ×", "≥ 1.8 ×"),
+        ("second run, nothing changed", f"{again.seconds:.2f} s, {two.seconds / again.seconds:.0f} × faster",
          "≥ 50 ×"),
-        ("peak memory", f"{megabytes(two['peak_bytes'])}", "≤ 300 MB"),
-        (f"peak memory, {little['finished']['rooms']:,} rooms", megabytes(little["peak_bytes"]), "the same"),
-        ("processor time of the bake", f"{two['processor_seconds']:.1f} s", ""),
+        ("peak memory", f"{megabytes(two.peak_bytes)}", "≤ 300 MB"),
+        (f"peak memory, {small_finished['rooms']:,} rooms", megabytes(little.peak_bytes), "the same"),
+        ("processor time of the bake", f"{two.processor_seconds:.1f} s", ""),
         ("where the time goes", split, ""),
-        (f"the same {size / 1e9:.2f} GB written plainly", f"{plainly:.1f} s, {two['seconds'] / plainly:.1f} × less", ""),
+        (f"the same {size / 1e9:.2f} GB written plainly", f"{plainly:.1f} s, {two.seconds / plainly:.1f} × less", ""),
     ]
 
 

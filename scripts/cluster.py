@@ -29,12 +29,12 @@ from distributed import job as jobs
 from distributed.failure import Failure
 from distributed.inputs import Inputs, pack, unpack
 from distributed.job import Job
-from distributed.listing import Division, check_packed, list_levels
+from distributed.listing import Division, check_packed, list_levels, room_count
 from distributed.node import cache_of
 from distributed.program import find_program
 from distributed.progress import Progress, done_units, status
 from distributed.report import merge, summary
-from distributed.sizing import cut, cut_into, measure, read_costs, room_count
+from distributed.sizing import cut, cut_into, measure, read_costs
 from distributed.store import digest, open_store
 from distributed.unit import FAILED, FLAWED, KEPT, Outcome, run_unit
 
@@ -77,7 +77,7 @@ def divide(program: Path, inputs: Inputs, listed: dict, options: argparse.Namesp
     units = cut([costs.of(level) * sample.scale for level in levels], workers, sample.start_seconds)
     total = sum(map(costs.of, levels)) * sample.scale
     print(f"{room_count(levels)} rooms on {len(levels)} levels at {1000 * total / max(1, room_count(levels)):.1f} ms (measured with "
-          f"{sample.rooms} rooms), {sample.start_seconds:.2f} s to read the plans: {len(units)} units", file=sys.stderr)
+          f"{sample.rooms} rooms), {sample.start_seconds:.2f} s for a unit to start: {len(units)} units", file=sys.stderr)
     return Division(listed, units)
 
 

@@ -12,11 +12,11 @@ time does not depend on what else the machine does, as far as caches go. Needs n
 import argparse
 import json
 import math
-import os
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+from measuring import measured
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -106,15 +106,12 @@ SERIES = [
 
 def bake(program, folder, out):
     """Processor seconds and peak megabytes of one bake."""
-    command = [program, "bake", folder / "plans", "--catalog", folder / "catalogue", "--out", folder / out, "--threads", "1",
-               "--textures", "none", "--quiet"]
-    child = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-    said = child.stderr.read().decode()
-    _, status, usage = os.wait4(child.pid, 0)
+    run = measured([program, "bake", folder / "plans", "--catalog", folder / "catalogue", "--out", folder / out, "--threads", "1",
+                    "--textures", "none", "--quiet"])
     # Rooms that fail cost as much as others; without files there is nothing to measure.
-    if os.waitstatus_to_exitcode(status) not in (0, 1):
-        sys.exit(f"measure_growth: {said[-1000:]}")
-    return usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
+    if run.code not in (0, 1):
+        sys.exit(f"measure_growth: {run.stderr[-1000:]}")
+    return run.processor_seconds, run.peak_bytes / 2**20
 
 
 def measure(program, make, sizes, runs):

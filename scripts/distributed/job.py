@@ -9,7 +9,7 @@ from pathlib import Path
 
 from .failure import Failure
 from .inputs import Inputs
-from .listing import Division
+from .listing import Division, room_count
 from .store import Store, digest
 
 # Names of levels never begin with a dot.
@@ -77,9 +77,8 @@ def check_options(options: list[str]) -> None:
 
 def new_job(program: Path, inputs: Inputs, options: list[str], division: Division) -> Job:
     levels = division.listed["levels"]
-    rooms = sum(sum(level["rooms"].values()) for level in levels)
     return Job(digest(program, "sha256"), inputs.sha256, [*inputs.arguments, *options],
-               len(division.units), len(levels), rooms, division.sha256)
+               len(division.units), len(levels), room_count(levels), division.sha256)
 
 
 def read_job(store: Store) -> Job | None:

@@ -6,8 +6,9 @@ import hashlib
 import json
 import sys
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
-from typing import NamedTuple
 
 from .failure import Failure
 from .inputs import Inputs
@@ -18,12 +19,18 @@ from .store import Store
 UPLOADS = 16
 
 
-class Division(NamedTuple):
+def room_count(levels: list[dict]) -> int:
+    return sum(sum(level["rooms"].values()) for level in levels)
+
+
+@dataclass(frozen=True)
+class Division:
     """The levels of a job, and those of each unit."""
 
     listed: dict
     units: list[range]
 
+    @cached_property
     def documents(self) -> dict[str, bytes]:
         """A document for each unit and one for all levels, by name."""
         def document(levels: list[dict]) -> bytes:
@@ -36,13 +43,13 @@ class Division(NamedTuple):
     @property
     def sha256(self) -> str:
         digest = hashlib.sha256()
-        for name, content in self.documents().items():
+        for name, content in self.documents.items():
             digest.update(f"{name} {len(content)}\n".encode() + content)
         return digest.hexdigest()[:16]
 
     def put(self, store: Store, folder: str) -> None:
         with ThreadPoolExecutor(UPLOADS) as pool:
-            list(pool.map(lambda item: store.write(f"{folder}/{item[0]}", item[1]), self.documents().items()))
+            list(pool.map(lambda item: store.write(f"{folder}/{item[0]}", item[1]), self.documents.items()))
 
 
 def list_levels(program: Path, arguments: list[str], folder: Path | None = None) -> dict:

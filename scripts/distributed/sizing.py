@@ -15,9 +15,10 @@ from typing import NamedTuple
 
 from .failure import Failure
 from .job import MOST_UNITS
+from .listing import room_count
 from .program import run
 
-# Levels of the sample: this part of all, within these bounds. It is baked twice.
+# Levels of the sample: this part of all, within these bounds. It is baked twice, and the first of it once more.
 SAMPLE_PART = 0.005
 LEAST_SAMPLE, LARGEST_SAMPLE = 3, 24
 # Seconds of the largest units, if the plans are read soon: what a lost machine costs.
@@ -25,8 +26,8 @@ UNIT_SECONDS = 45.0
 # A unit takes at most this part of what is left for each worker, so that units become smaller towards the end and the last
 # ones end together (guided self-scheduling; C. Polychronopoulos and D. Kuck, 1987).
 PART_OF_REST = 1 / 3
-# Reading the plans takes a tenth of the smallest units at most, and a thirtieth of the others.
-SMALLEST_IN_STARTS = 10.0
+# The start takes a fifteenth of the smallest units at most, and a thirtieth of the others.
+SMALLEST_IN_STARTS = 15.0
 LARGEST_IN_STARTS = 30.0
 
 
@@ -43,10 +44,12 @@ class Costs(NamedTuple):
 
 
 class Sample(NamedTuple):
-    """What a sample cost on one thread of this machine, without reading the plans, in seconds of its processor."""
+    """What a sample cost on one thread of this machine, in seconds of its processor."""
 
     rooms: int
+    # Of the levels alone.
     seconds: float
+    # Of a unit before its first level.
     start_seconds: float
     # Measured seconds for a millisecond of `Costs`.
     scale: float
@@ -57,17 +60,13 @@ def read_costs() -> Costs:
     return Costs(table["level"], table["other"], table["rooms"])
 
 
-def room_count(levels: list[dict]) -> int:
-    return sum(sum(level["rooms"].values()) for level in levels)
-
-
 def measure(program: Path, folder: Path, arguments: list[str], listed: dict, cache: Path) -> Sample:
-    """Bakes some of the levels, and none of them for the time that every unit takes to read the plans."""
+    """Bakes some of the levels, and one of them for the time that every unit takes before its first: to read plans and make models."""
     levels, times = listed["levels"], []
     chosen = sample_of(levels)
     with tempfile.TemporaryDirectory(prefix="roomwright-sample-") as scratch:
         # The first run of the sample makes textures and models, which units find on their machine.
-        for number, some in enumerate(([], chosen, chosen)):
+        for number, some in enumerate((chosen, chosen[:1], chosen)):
             file = Path(scratch) / f"{number}.json"
             file.write_text(json.dumps({"program": listed["program"], "levels": some}), encoding="utf-8")
             started = spent()
@@ -76,10 +75,13 @@ def measure(program: Path, folder: Path, arguments: list[str], listed: dict, cac
             times.append(spent() - started)
             if ran.code not in (0, 1) or "totals" not in ran.answer:
                 raise Failure(f"a sample of the levels could not be baked:\n{ran.errors}")
-    start, _, both = times
-    work = max(1e-3, both - start)
+    _, first, whole = times
     costs = read_costs()
-    return Sample(room_count(chosen), work, start, work / sum(map(costs.of, chosen)))
+    cost_of_first, cost = costs.of(chosen[0]), sum(map(costs.of, chosen))
+    # A sample of one level says nothing about the start: all of it counts as work.
+    scale = max(1e-3, whole - first) / (cost - cost_of_first) if len(chosen) > 1 else whole / cost
+    start = max(0.0, whole - scale * cost)
+    return Sample(room_count(chosen), scale * cost, start, scale)
 
 
 def sample_of(levels: list[dict]) -> list[dict]:

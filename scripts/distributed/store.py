@@ -93,6 +93,11 @@ class Store:
         expected = self._expected(path)
         repeated(lambda: self._checked(name, expected, lambda: self._put(path, name)))
 
+    def take(self, path: Path, name: str) -> None:
+        """Writes a file of this machine that nobody changes or reads after it: the store may keep it instead of a copy."""
+        expected = self._expected(path)
+        repeated(lambda: self._checked(name, expected, lambda: self._take(path, name)))
+
     def create(self, name: str, content: bytes) -> bytes:
         """Writes a file unless there is one. The content that is there afterwards: this, or that of another writer."""
         def once() -> bytes:
@@ -112,6 +117,9 @@ class Store:
 
     # Whether the store says the MD5 of files.
     knows_md5 = False
+
+    def _take(self, path: Path, name: str) -> None:
+        self._put(path, name)
 
     def _known_of(self, name: str) -> Known | None:
         try:
@@ -169,6 +177,17 @@ class Folder(Store):
             while block := source.read(1 << 20):
                 target.write(block)
         os.replace(temporary, self._path(name))
+
+    def _take(self, path: Path, name: str) -> None:
+        temporary = self._temporary(name)
+        try:
+            os.link(path, temporary)
+        except OSError:
+            # Another disk, or one without links.
+            return self._put(path, name)
+        os.replace(temporary, self._path(name))
+        # Two names of one file: to rename one to the other does nothing.
+        temporary.unlink(missing_ok=True)
 
     def _create(self, name: str, content: bytes) -> None:
         temporary = self._temporary(name)

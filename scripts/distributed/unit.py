@@ -71,7 +71,7 @@ def bake(store: Store, job: Job, node: Node, unit: int, threads: int, out: Path)
     if reason := refusal(ran):
         note_error(store, unit, ran, reason)
         return Outcome(unit, FAILED, message=reason)
-    part = out / f"manifest.{unit}-of-{job.units}.json"
+    part = out / Path(job.record(unit)).name
     files = recorded(part)
     if damaged := first_damaged(out, files):
         note_error(store, unit, ran, reason := f"{damaged} is not what the bake recorded: the disk of this machine is damaged or full")
@@ -118,7 +118,7 @@ def upload(store: Store, out: Path, files: list[dict]) -> None:
         path, name = out / file["path"], file["path"]
         # The names of shared files say their content: most are there already.
         if not path.parent.name.startswith("shared-") or not store.holds(path, name):
-            store.put(path, name)
+            store.take(path, name)
 
     with ThreadPoolExecutor(UPLOADS) as pool:
         list(pool.map(put, files))

@@ -96,7 +96,8 @@ fn list<'a>(
     let fault = |error: std::io::Error| OutputFault::of(&manifest, "read the manifest", &error);
     let sources = Sources::read(std::slice::from_ref(&manifest), &[])?;
     let contents = sources.contents(false)?;
-    let records: std::io::Result<Vec<LevelRecord>> = contents.current().map(|found| found.read()).collect();
+    let records: std::io::Result<Vec<LevelRecord>> =
+        contents.current().map(|(_, found)| found.read()).collect();
     let mut levels = Vec::new();
     for record in records.map_err(fault)? {
         if !record.files.first().is_some_and(|file| is_read_back(Path::new(&file.path))) {

@@ -87,9 +87,8 @@ pub fn merge(root: &Path) -> Result<MergeReport, OutputFault> {
 
 /// The first missing file of each level that was to be in place.
 fn missing_levels(root: &Path, contents: &Contents<'_>) -> Faults {
-    let current = contents.levels.iter().filter(|(key, _)| !contents.former.contains(key));
-    let missing = current.filter_map(|(LevelKey { building, level }, found)| {
-        let file = found.last()?.head.files.iter().find(|file| !is_there(root, file))?;
+    let missing = contents.current().filter_map(|(LevelKey { building, level }, found)| {
+        let file = found.head.files.iter().find(|file| !is_there(root, file))?;
         let message = format!("is not there: level {level:?} of building {building:?} is left out");
         Some(Fault::of_file(&root.join(&file.path), message).with_hint(ELSEWHERE))
     });
@@ -98,9 +97,8 @@ fn missing_levels(root: &Path, contents: &Contents<'_>) -> Faults {
 
 /// A fault if the files over all levels are missing, which a bake makes once all shares have ended.
 fn missing_index(manifest: &Path, contents: &Contents<'_>) -> Option<Fault> {
-    let mut current = contents.levels.iter().filter(|(key, _)| !contents.former.contains(key));
-    let needs_one = |found: &[FoundRecord<'_>]| found.last().is_some_and(|last| has_index(&last.head.files));
-    let is_missing = contents.index.is_empty() && current.any(|(_, found)| needs_one(found));
+    let is_missing =
+        contents.index.is_empty() && contents.current().any(|(_, found)| has_index(&found.head.files));
     is_missing.then(|| {
         let message = format!("lists levels for a {INDEX_NAME}, and there is none");
         let hint = "give the command that wrote the levels once more, without --shard: it keeps them and writes the file";
@@ -113,8 +111,7 @@ const ELSEWHERE: &str = "copy the file to its place and merge again; if the file
 
 /// The fault of a folder that has nothing but records.
 fn nothing_in_place(root: &Path, contents: &Contents<'_>) -> OutputFault {
-    let current = contents.levels.iter().filter(|(key, _)| !contents.former.contains(key));
-    let files = current.filter_map(|(_, found)| found.last()?.head.files.first());
+    let files = contents.current().filter_map(|(_, found)| found.head.files.first());
     let listed: Vec<&str> = files.map(|file| file.path.as_str()).take(LISTED_FILES).collect();
     OutputFault {
         code: FaultCode::NothingToJoin,

@@ -27,7 +27,7 @@ pub(crate) fn list_levels(folder: &Path) -> Option<Listing> {
     manifest.symlink_metadata().ok()?;
     let sources = Sources::read(&[manifest], &[]).ok()?;
     let contents = sources.contents(false).ok()?;
-    let main_files = contents.current().filter_map(|found| Some(found.head.files.first()?.path.clone()));
+    let main_files = contents.current().filter_map(|(_, found)| Some(found.head.files.first()?.path.clone()));
     let files = main_files.collect();
     Some(Listing { files, faults: contents.faults })
 }

@@ -256,9 +256,9 @@ impl<'a> Contents<'a> {
     }
 
     /// The newest record of each level that is not set apart.
-    pub(crate) fn current(&self) -> impl Iterator<Item = &FoundRecord<'a>> {
+    pub(crate) fn current(&self) -> impl Iterator<Item = (&LevelKey, &FoundRecord<'a>)> {
         let current = self.levels.iter().filter(|(key, _)| !self.former.contains(key));
-        current.filter_map(|(_, found)| found.last())
+        current.filter_map(|(key, found)| Some((key, found.last()?)))
     }
 
     /// Leaves one record of each level: that of what lies on the disk.

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use glam::Vec3;
 
+use crate::geometry::DisjointSets;
 use crate::mesh::{Model, Primitive};
 
 /// What a mesh is, as far as it decides how it is simplified.
@@ -103,7 +104,7 @@ impl Simplifier {
         let kept = primitive.indices.as_chunks::<3>().0.iter().filter(|triangle| {
             fates[parts[triangle[0] as usize]] == Fate::Kept && !self.hides(primitive, triangle, ends)
         });
-        let mut made = compacted(primitive, kept.flatten().copied().collect());
+        let mut made = primitive.with_triangles(kept.flatten().copied());
         let boxed = extents.iter().zip(&fates).filter(|(_, fate)| **fate == Fate::Boxed);
         boxed.for_each(|(extent, _)| self.add_box(&mut made, *extent, ends));
         made
@@ -128,17 +129,7 @@ impl Simplifier {
             Fate::Kept
         }
     }
-}
 
-/// Whether a height is that of each end.
-fn is_at(ends: [f32; 2], height: f32) -> [bool; 2] {
-    ends.map(|end| (height - end).abs() < END_GAP)
-}
-
-/// The faces of a box, each by its axis and whether it is at the high end.
-const FACES: [(usize, bool); 6] = [(0, false), (0, true), (1, false), (1, true), (2, false), (2, true)];
-
-impl Simplifier {
     /// Adds a box, without the face that nobody sees.
     fn add_box(&self, primitive: &mut Primitive, Extent([low, high]): Extent, ends: [f32; 2]) {
         let has_sets = !primitive.texture_coordinates.is_empty();
@@ -176,6 +167,14 @@ impl Simplifier {
     }
 }
 
+/// Whether a height is that of each end.
+fn is_at(ends: [f32; 2], height: f32) -> [bool; 2] {
+    ends.map(|end| (height - end).abs() < END_GAP)
+}
+
+/// The faces of a box, each by its axis and whether it is at the high end.
+const FACES: [(usize, bool); 6] = [(0, false), (0, true), (1, false), (1, true), (2, false), (2, true)];
+
 /// Metres from the end of a model up to which a face lies on what the model stands on or hangs from.
 const END_GAP: f32 = 0.01;
 /// The height of the normal of a face that looks up.
@@ -184,58 +183,23 @@ const FACING: f32 = 0.99;
 /// The number of the loose part of each corner: corners in one place, and those of one triangle, are of one part.
 fn parts(primitive: &Primitive) -> Vec<usize> {
     let mut first_at: HashMap<[u32; 3], usize> = HashMap::with_capacity(primitive.positions.len());
-    let mut above: Vec<usize> = Vec::with_capacity(primitive.positions.len());
+    let mut joined = DisjointSets::new(primitive.positions.len());
     for (corner, position) in primitive.positions.iter().enumerate() {
-        above.push(*first_at.entry(position.map(|number| (number + 0.0).to_bits())).or_insert(corner));
+        let place = position.map(|number| (number + 0.0).to_bits());
+        joined.join(corner, *first_at.entry(place).or_insert(corner));
     }
     for triangle in primitive.indices.as_chunks::<3>().0 {
-        let [a, b, c] = triangle.map(|corner| top(&mut above, corner as usize));
-        above[b] = a;
-        let c = top(&mut above, c);
-        above[c] = a;
+        let [a, b, c] = triangle.map(|corner| corner as usize);
+        joined.join(a, b);
+        joined.join(b, c);
     }
     let mut numbers: HashMap<usize, usize> = HashMap::new();
-    (0..above.len())
+    (0..primitive.positions.len())
         .map(|corner| {
-            let top = top(&mut above, corner);
             let next = numbers.len();
-            *numbers.entry(top).or_insert(next)
+            *numbers.entry(joined.find(corner)).or_insert(next)
         })
         .collect()
-}
-
-/// The corner that stands for the part of a corner, with shorter ways to it for the next time.
-fn top(above: &mut [usize], mut corner: usize) -> usize {
-    while above[corner] != corner {
-        above[corner] = above[above[corner]];
-        corner = above[corner];
-    }
-    corner
-}
-
-/// A primitive of some of its triangles, without the corners that none of them has.
-fn compacted(primitive: &Primitive, mut indices: Vec<u32>) -> Primitive {
-    let mut new: Vec<Option<u32>> = vec![None; primitive.positions.len()];
-    let mut kept: Vec<usize> = Vec::new();
-    for index in &mut indices {
-        let corner = *index as usize;
-        *index = *new[corner].get_or_insert_with(|| {
-            kept.push(corner);
-            kept.len() as u32 - 1
-        });
-    }
-    fn of<T: Copy>(values: &[T], kept: &[usize]) -> Vec<T> {
-        if values.is_empty() { Vec::new() } else { kept.iter().map(|&corner| values[corner]).collect() }
-    }
-    Primitive {
-        material: primitive.material.clone(),
-        positions: of(&primitive.positions, &kept),
-        normals: of(&primitive.normals, &kept),
-        texture_coordinates: of(&primitive.texture_coordinates, &kept),
-        further_coordinates: primitive.further_coordinates.iter().map(|set| of(set, &kept)).collect(),
-        colors: of(&primitive.colors, &kept),
-        indices,
-    }
 }
 
 #[cfg(test)]

@@ -39,6 +39,28 @@ pub struct Primitive {
 }
 
 impl Primitive {
+    /// Its material and corners with other triangles, three of its corners each; corners of none are left out.
+    pub(crate) fn with_triangles(&self, triangles: impl Iterator<Item = u32>) -> Self {
+        let mut new = vec![None; self.positions.len()];
+        let mut kept = Vec::new();
+        let indices = triangles.map(|corner| {
+            *new[corner as usize].get_or_insert_with(|| {
+                kept.push(corner as usize);
+                u32::try_from(kept.len() - 1).expect("not more corners than there were")
+            })
+        });
+        let indices = indices.collect();
+        Self {
+            material: self.material.clone(),
+            positions: picked(&self.positions, &kept),
+            normals: picked(&self.normals, &kept),
+            texture_coordinates: picked(&self.texture_coordinates, &kept),
+            further_coordinates: self.further_coordinates.iter().map(|set| picked(set, &kept)).collect(),
+            colors: picked(&self.colors, &kept),
+            indices,
+        }
+    }
+
     /// All sets of texture coordinates, in their order.
     pub fn coordinate_sets(&self) -> impl Iterator<Item = &[[f32; 2]]> {
         std::iter::once(&self.texture_coordinates).chain(&self.further_coordinates).map(Vec::as_slice)
@@ -112,6 +134,11 @@ impl OwnMaterial {
     pub fn coordinate_set_count(&self) -> usize {
         coordinate_set_count(&self.textures)
     }
+}
+
+/// The values of some corners, or none if corners have none.
+fn picked<T: Copy>(values: &[T], corners: &[usize]) -> Vec<T> {
+    corners.iter().filter_map(|&corner| values.get(corner).copied()).collect()
 }
 
 /// How many sets of texture coordinates some textures need.

@@ -11,9 +11,9 @@ use crate::recipes::kit::{TOLERANCES, simplified_surface};
 /// built-in models does. No corner that is left changes in anything, and those at rims and seams, where materials, images or
 /// sharp edges meet, all stay.
 pub(crate) fn reduced(model: &Model) -> Model {
-    let points = || model.primitives.iter().flat_map(|part| &part.positions).map(|&at| Vec3::from_array(at));
-    let diagonal = points().fold(Vec3::MIN, Vec3::max).distance(points().fold(Vec3::MAX, Vec3::min));
-    Model { primitives: model.primitives.iter().map(|part| simplified(part, f64::from(diagonal))).collect() }
+    let [low, high] = model.bounds();
+    let diagonal = f64::from(high.distance(low));
+    Model { primitives: model.primitives.iter().map(|part| simplified(part, diagonal)).collect() }
 }
 
 fn simplified(part: &Primitive, diagonal: f64) -> Primitive {
@@ -29,7 +29,7 @@ fn simplified(part: &Primitive, diagonal: f64) -> Primitive {
         }
         triangles = simplified_surface(&points, &triangles, target, tolerance * diagonal);
     }
-    with_triangles(part, &triangles)
+    part.with_triangles(triangles.into_iter().flatten().map(|corner| corner as u32))
 }
 
 /// For each corner the first one that is equal to it in all that corners carry.
@@ -43,33 +43,6 @@ fn equal_corners(part: &Primitive) -> Vec<usize> {
         numbers.into_iter().map(f32::to_bits).collect::<Vec<u32>>()
     };
     (0..part.positions.len()).map(|index| *first.entry(corner(index)).or_insert(index)).collect()
-}
-
-/// A primitive's material and corners with other triangles; corners of none are left out.
-fn with_triangles(part: &Primitive, triangles: &[[usize; 3]]) -> Primitive {
-    let mut new = vec![None; part.positions.len()];
-    let mut kept = Vec::new();
-    let indices = triangles.iter().flatten().map(|&corner| {
-        *new[corner].get_or_insert_with(|| {
-            kept.push(corner);
-            u32::try_from(kept.len() - 1).expect("not more corners than there were")
-        })
-    });
-    let indices = indices.collect();
-    Primitive {
-        material: part.material.clone(),
-        positions: picked(&part.positions, &kept),
-        normals: picked(&part.normals, &kept),
-        texture_coordinates: picked(&part.texture_coordinates, &kept),
-        further_coordinates: part.further_coordinates.iter().map(|set| picked(set, &kept)).collect(),
-        colors: picked(&part.colors, &kept),
-        indices,
-    }
-}
-
-/// The values of some corners, or none if corners have none.
-fn picked<T: Copy>(values: &[T], corners: &[usize]) -> Vec<T> {
-    corners.iter().filter_map(|&corner| values.get(corner).copied()).collect()
 }
 
 #[cfg(test)]

@@ -9,31 +9,29 @@ units, and of `bake --threads 2`. The program is that of ROOMWRIGHT_PROGRAM. Lin
 from __future__ import annotations
 
 import os
-import resource
 import shutil
 import statistics
-import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
-SCRIPT = Path(__file__).resolve().parents[2] / "scripts" / "cluster.py"
+SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
+sys.path.insert(0, str(SCRIPTS))
+from measuring import Measured, measured  # noqa: E402
+
 WORKERS = "2"
 
 
-def measured(command: list[str], folder: Path) -> tuple[float, float]:
-    """Processor time of a command and all that it waited for, and its seconds."""
+def run(command: list[str], folder: Path) -> Measured:
+    """A command that begins without caches."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
     # What an earlier run wrote is on the disk before the next begins.
     os.sync()
-    before, started = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
-    with (folder / "log").open("w") as log:
-        subprocess.run(command, check=True, stdout=log, stderr=log,
-                       env={**os.environ, "ROOMWRIGHT_CLUSTER_FOLDER": str(folder / "node")})
-    seconds, after = time.monotonic() - started, resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, seconds
+    found = measured(command, {**os.environ, "ROOMWRIGHT_CLUSTER_FOLDER": str(folder / "node")})
+    if found.code:
+        raise SystemExit(f"{command[0]} ended with {found.code}: {found.stderr[-1000:]}")
+    return found
 
 
 def main(arguments: list[str]) -> int:
@@ -43,24 +41,24 @@ def main(arguments: list[str]) -> int:
     if "--runs" in plans:
         at = plans.index("--runs")
         runs, plans = int(plans[at + 1]), plans[:at] + plans[at + 2:]
-    found: dict[str, list[tuple[float, float]]] = {"one bake": [], "cluster.py": []}
+    found: dict[str, list[Measured]] = {"one bake": [], "cluster.py": []}
     with tempfile.TemporaryDirectory(prefix="roomwright-overhead-", dir=os.environ.get("TMPDIR")) as scratch:
         one, many = Path(scratch) / "one", Path(scratch) / "many"
-        for run in range(runs):
-            found["one bake"].append(measured(
+        for number in range(runs):
+            found["one bake"].append(run(
                 [os.environ["ROOMWRIGHT_PROGRAM"], "bake", *plans, "--out", str(one / "out"), "--threads", WORKERS,
                  "--cache", str(one / "cache"), "--quiet", *options], one))
             manifest = (one / "out" / "manifest.json").read_bytes()
             shutil.rmtree(one)
-            found["cluster.py"].append(measured(
-                [sys.executable, str(SCRIPT), "bake", *plans, "--to", str(many / "out"), "--workers", WORKERS, "--", *options], many))
+            found["cluster.py"].append(run(
+                [sys.executable, str(SCRIPTS / "cluster.py"), "bake", *plans, "--to", str(many / "out"), "--workers", WORKERS, "--", *options], many))
             if (many / "out" / "manifest.json").read_bytes() != manifest:
                 raise SystemExit("the manifests differ")
-            print((many / "log").read_text(), file=sys.stderr)
+            print(found["cluster.py"][-1].stderr, file=sys.stderr)
             for name, figures in found.items():
-                print(f"run {run + 1}, {name}: {figures[-1][0]:.1f} s of processor time, {figures[-1][1]:.1f} s", flush=True)
-    medians = {name: [statistics.median(values) for values in zip(*figures)] for name, figures in found.items()}
-    (one_work, one_seconds), (work, seconds) = medians.values()
+                print(f"run {number + 1}, {name}: {figures[-1].processor_seconds:.1f} s of processor time, {figures[-1].seconds:.1f} s", flush=True)
+    one_work, work = (statistics.median(run.processor_seconds for run in figures) for figures in found.values())
+    one_seconds, seconds = (statistics.median(run.seconds for run in figures) for figures in found.values())
     print(f"medians: processor time {work / one_work - 1:+.1%} ({one_work:.1f} to {work:.1f} s), "
           f"seconds {seconds / one_seconds - 1:+.1%} ({one_seconds:.1f} to {seconds:.1f} s)")
     return 0

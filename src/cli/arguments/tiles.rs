@@ -1,11 +1,13 @@
 //! The arguments of `tiles`.
 
+use std::fmt;
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
 use super::RunArguments;
 use super::number::{numbers, so_many_numbers};
+use crate::output::IndexOptions;
 use crate::plan::SiteOrigin;
 
 /// `tiles`.
@@ -17,7 +19,7 @@ pub(crate) struct TilesArguments {
     #[arg(short, long, value_name = "DIR", default_value = "tiles")]
     pub(crate) out: PathBuf,
     /// Metres from which on boxes, reduced and full furniture are shown, on a screen 1080 pixels high in CesiumJS.
-    #[arg(long, value_name = "BOXES,REDUCED,FULL", default_value = "70,20,4", value_parser = near)]
+    #[arg(long, value_name = "BOXES,REDUCED,FULL", default_value_t = Near::default(), value_parser = near)]
     pub(crate) near: Near,
     /// Where the site's origin is: degrees of longitude and latitude on WGS 84, and metres above the ellipsoid [default: what the
     /// project or the map says, at height 0].
@@ -34,6 +36,19 @@ pub(crate) struct TilesArguments {
 /// Three falling distances in metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Near(pub(crate) [f64; 3]);
+
+impl Default for Near {
+    fn default() -> Self {
+        Self(IndexOptions::default().near)
+    }
+}
+
+impl fmt::Display for Near {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self([boxes, reduced, full]) = self;
+        write!(f, "{boxes},{reduced},{full}")
+    }
+}
 
 /// The words of `--instancing`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -7,11 +7,13 @@ use crate::plan::limits::{COORDINATE, OUTLINE_CORNERS};
 
 /// A polygon with holes for the `geo` crate.
 pub(in crate::plan) fn to_surface(outline: &Polygon, holes: &[Polygon]) -> geo::Polygon<f64> {
-    geo::Polygon::new(to_line(outline), holes.iter().map(to_line).collect())
+    let line = |polygon: &Polygon| to_line(polygon.corners());
+    geo::Polygon::new(line(outline), holes.iter().map(line).collect())
 }
 
-fn to_line(polygon: &Polygon) -> LineString<f64> {
-    LineString::from_iter(polygon.corners().iter().map(|corner| Coord { x: corner.x, y: corner.y }))
+/// A ring for the `geo` crate.
+pub(in crate::plan) fn to_line(corners: &[Point]) -> LineString<f64> {
+    LineString::from_iter(corners.iter().map(|corner| Coord { x: corner.x, y: corner.y }))
 }
 
 /// The points of a ring of the `geo` crate, with its closing point.

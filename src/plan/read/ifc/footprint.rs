@@ -7,6 +7,7 @@ use glam::DVec3;
 use super::profile::Rings;
 use super::solid::IfcBody;
 use crate::geometry::Point;
+use crate::plan::clean::to_line;
 
 /// Sine of the largest angle between a sweep and the vertical, and between a face and the horizontal.
 const LEVEL: f64 = 0.02;
@@ -33,8 +34,7 @@ impl Footprint {
     /// Outlines without holes that cover the same but for a slit to each hole. A slit begins at the corner farthest
     /// left, so that no line straight through the wall behind a room's edge meets it.
     pub(super) fn pieces(&self) -> Vec<Vec<Point>> {
-        let line =
-            |ring: &Vec<Point>| LineString::from_iter(ring.iter().map(|at| Coord { x: at.x, y: at.y }));
+        let line = |ring: &Vec<Point>| to_line(ring);
         if self.holes.is_empty() {
             return vec![self.outer.clone()];
         }

@@ -1,7 +1,5 @@
 //! The attributes of an element of a home, as numbers and lengths in metres.
 
-use std::borrow::Cow;
-
 use quick_xml::XmlVersion;
 use quick_xml::events::BytesStart;
 
@@ -14,22 +12,22 @@ use crate::plan::units::CENTIMETRE;
 const NUMBER_HINT: &str = "the element is left out; save the home again in Sweet Home 3D";
 
 /// The attributes of an element; the first fault of a number leaves it out.
-pub(super) struct Attributes<'text, 'notes> {
-    values: Vec<(Cow<'text, str>, Cow<'text, str>)>,
+pub(super) struct Attributes<'notes> {
+    values: Vec<(String, String)>,
     element: String,
     /// Byte of the text at which the element stands.
     pub(super) place: usize,
     notes: &'notes mut Notes,
 }
 
-impl<'text, 'notes> Attributes<'text, 'notes> {
-    pub(super) fn of(start: &BytesStart<'text>, place: usize, notes: &'notes mut Notes) -> Self {
+impl<'notes> Attributes<'notes> {
+    pub(super) fn of(start: &BytesStart<'_>, place: usize, notes: &'notes mut Notes) -> Self {
         let mut values = Vec::new();
         let element = start.name().as_ref().to_owned();
         for attribute in start.attributes().with_checks(false).flatten() {
-            let key = Cow::Owned(attribute.key.as_ref().to_owned());
+            let key = attribute.key.as_ref().to_owned();
             match attribute.normalized_value(XmlVersion::Implicit1_0) {
-                Ok(value) => values.push((key, Cow::Owned(value.into_owned()))),
+                Ok(value) => values.push((key, value.into_owned())),
                 Err(error) => {
                     let message = format!("attribute \"{key}\" of \"{element}\": {error}");
                     notes.warn(place, message, "the attribute is left out");
@@ -40,7 +38,7 @@ impl<'text, 'notes> Attributes<'text, 'notes> {
     }
 
     pub(super) fn find(&self, name: &str) -> Option<&str> {
-        self.values.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_ref())
+        self.values.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_str())
     }
 
     pub(super) fn text(&self, name: &str) -> Option<String> {

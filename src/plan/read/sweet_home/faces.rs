@@ -1,11 +1,11 @@
 //! Rooms from walls: the areas that walls enclose, and outlines that are drawn into the walls cut back to their faces.
 
-use geo::{Area, BooleanOps, LineString, MultiPolygon, unary_union};
+use geo::{Area, BooleanOps, MultiPolygon, unary_union};
 
 use super::walls::Body;
 use crate::geometry::{Bounds, Point, Segment, edges, ring_contains, signed_area};
 use crate::plan::assemble::BoxIndex;
-use crate::plan::clean::{largest_part, to_points};
+use crate::plan::clean::{largest_part, to_line, to_points};
 
 /// Square metres of the smallest enclosed area that is a room rather than a shaft or a gap between walls.
 const SMALLEST_ROOM: f64 = 0.5;
@@ -90,8 +90,7 @@ impl<'a> Bodies<'a> {
         }
         let bounds = Bounds::around(outline.iter().copied());
         let walls = joined(self.near(bounds));
-        let ring = LineString::from_iter(outline.iter().map(|corner| (corner.x, corner.y)));
-        let rest = geo::Polygon::new(ring, Vec::new()).difference(&walls);
+        let rest = geo::Polygon::new(to_line(outline), Vec::new()).difference(&walls);
         let (part, _) = largest_part(rest).filter(|(part, _)| part.unsigned_area() >= SMALLEST_ROOM)?;
         Some(Space {
             outline: to_points(part.exterior()),
@@ -120,10 +119,7 @@ fn is_room(outline: &[Point]) -> bool {
 }
 
 fn joined<'a>(bodies: impl Iterator<Item = &'a Body>) -> MultiPolygon<f64> {
-    let surface = |body: &Body| {
-        let ring = LineString::from_iter(body.outline.iter().map(|corner| (corner.x, corner.y)));
-        geo::Polygon::new(ring, Vec::new())
-    };
-    let surfaces: Vec<geo::Polygon<f64>> = bodies.map(surface).collect();
+    let surfaces: Vec<geo::Polygon<f64>> =
+        bodies.map(|body| geo::Polygon::new(to_line(&body.outline), Vec::new())).collect();
     unary_union(&surfaces)
 }

@@ -10,6 +10,7 @@ use super::pieces::{free_walls, stairs};
 use super::rooms::{Naming, drawn_rooms, enclosed_rooms, note_fixtures};
 use super::round::straightened;
 use super::walls::{Body, bodies, usual_thicknesses};
+use crate::document::counted;
 use crate::geometry::Point;
 use crate::plan::limits::STOREY_HEIGHT;
 use crate::plan::read::foreign::slug;
@@ -185,7 +186,7 @@ impl Storey<'_> {
         }
         let low = rooms.iter().filter(|room| room.height.is_some_and(|own| own < height)).count();
         if low > 0 {
-            let rooms = if low == 1 { "1 room".to_owned() } else { format!("{low} rooms") };
+            let rooms = counted(low, "room");
             let message = format!(
                 "level \"{}\": {rooms} with sloping walls, which are read as flat ones",
                 self.level.name

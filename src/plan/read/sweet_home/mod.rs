@@ -44,7 +44,7 @@ use self::rooms::Naming;
 use super::drawn::DrawnPiece;
 use super::foreign::{head, slug};
 use super::reader::{DraftedBuilding, ForeignFormat, ReadBuildings, ReadFormat, ReadResult};
-use crate::document::{Fault, Faults};
+use crate::document::{Fault, Faults, counted};
 use crate::geometry::Point;
 use crate::plan::{BuildingDraft, PlanOptions};
 
@@ -146,8 +146,7 @@ fn warn_of_furniture(storeys: &[Storey<'_>], notes: &mut Notes) {
     };
     let count = furniture().count();
     if let Some(first) = furniture().map(|piece| piece.place).min() {
-        let pieces = if count == 1 { "1 piece".to_owned() } else { format!("{count} pieces") };
-        let message = format!("{pieces} of furniture left out: rooms are furnished anew");
+        let message = format!("{} of furniture left out: rooms are furnished anew", counted(count, "piece"));
         notes.warn(
             first,
             message,

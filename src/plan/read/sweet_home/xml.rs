@@ -132,13 +132,13 @@ impl Builder {
         }
     }
 
-    fn home(&mut self, element: &mut Attributes<'_, '_>) {
+    fn home(&mut self, element: &mut Attributes<'_>) {
         self.home.name = element.text("name");
         let height = element.length_or("wallHeight", USUAL_WALL_HEIGHT);
         self.home.wall_height = height.unwrap_or(USUAL_WALL_HEIGHT);
     }
 
-    fn room(&mut self, element: &Attributes<'_, '_>) {
+    fn room(&mut self, element: &Attributes<'_>) {
         self.home.rooms.push(HomeRoom {
             id: element.text("id"),
             level: element.text("level"),
@@ -149,7 +149,7 @@ impl Builder {
         self.parts = Parts::Room;
     }
 
-    fn point(&mut self, element: &mut Attributes<'_, '_>) {
+    fn point(&mut self, element: &mut Attributes<'_>) {
         let Some(room) = self.home.rooms.last_mut() else { return };
         // More corners are reported with the room.
         if let (Some(point), true) = (element.point(["x", "y"]), room.outline.len() <= OUTLINE_CORNERS) {
@@ -164,7 +164,7 @@ impl Builder {
         }
     }
 
-    fn sash(&mut self, element: &mut Attributes<'_, '_>) {
+    fn sash(&mut self, element: &mut Attributes<'_>) {
         let Some(cut) = self.home.pieces.last_mut().and_then(|piece| piece.cut.as_mut()) else { return };
         if cut.sashes.len() < MOST_SASHES {
             cut.sashes.extend(element.sash());
@@ -186,7 +186,7 @@ fn is_piece(name: &str) -> bool {
 }
 
 /// Reads single elements; none that is damaged, or hidden.
-impl Attributes<'_, '_> {
+impl Attributes<'_> {
     fn level(&mut self) -> Option<HomeLevel> {
         let (elevation, height) = (self.length("elevation"), self.length("height"));
         let floor_thickness = self.length_or("floorThickness", 0.0);
