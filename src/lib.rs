@@ -91,6 +91,7 @@ mod layout;
 mod mesh;
 mod model;
 mod model_file;
+pub mod navigation;
 mod output;
 mod plan;
 mod project;

@@ -22,6 +22,7 @@ mod command_line {
     mod init;
     mod level_lists;
     mod looks;
+    mod navigation;
     mod output_folder;
     mod pinned;
     mod plan;

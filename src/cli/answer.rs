@@ -8,6 +8,8 @@ use serde::Serialize;
 
 use super::audit::JudgedLevel;
 #[cfg(test)]
+use super::navigation::NavigationAnswer;
+#[cfg(test)]
 use super::plan::{PlanAnswer, ReportFile};
 #[cfg(test)]
 use super::walk::WalkAnswer;
@@ -402,6 +404,7 @@ pub(crate) fn answer_schemas() -> Vec<(&'static str, schemars::Schema)> {
         ("import", schemars::schema_for!(ImportAnswer<'_>)),
         ("init", schemars::schema_for!(InitAnswer)),
         ("merge", schemars::schema_for!(MergeAnswer)),
+        ("navigation", schemars::schema_for!(NavigationAnswer)),
         ("plan", schemars::schema_for!(PlanAnswer)),
         ("plan-report", schemars::schema_for!(ReportFile)),
         ("walk", schemars::schema_for!(WalkAnswer)),

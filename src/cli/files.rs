@@ -43,19 +43,27 @@ impl Overwrite {
     }
 }
 
-/// Writes a text file. What a link leads to is written, and the link stays.
+/// Writes a text file, as [`write_bytes`].
+///
+/// # Errors
+/// As there.
+pub(crate) fn write_text(path: &Path, text: &str, overwrite: Overwrite) -> Result<(), Faults> {
+    write_bytes(path, text.as_bytes(), overwrite)
+}
+
+/// Writes a file. What a link leads to is written, and the link stays.
 ///
 /// # Errors
 /// If the file exists and must not be overwritten, or cannot be written.
-pub(crate) fn write_text(path: &Path, text: &str, overwrite: Overwrite) -> Result<(), Faults> {
+pub(crate) fn write_bytes(path: &Path, bytes: &[u8], overwrite: Overwrite) -> Result<(), Faults> {
     let fault = |error: &io::Error| Faults::from(not_written(path, error));
     let target = end_of_links(path)?;
     if is_stream(&target) {
-        return write_stream(&target, text).map_err(|error| fault(&error));
+        return write_stream(&target, bytes).map_err(|error| fault(&error));
     }
     let folder = target.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut temporary = temporary_in(folder).map_err(|error| fault(&error))?;
-    temporary.write_all(text.as_bytes()).map_err(|error| fault(&error))?;
+    temporary.write_all(bytes).map_err(|error| fault(&error))?;
     let placed = if overwrite.allows(&target) {
         temporary.persist(&target).map(drop).map_err(|failed| failed.error)
     } else {
@@ -86,9 +94,9 @@ fn is_stream(path: &Path) -> bool {
     path.metadata().is_ok_and(|found| !found.is_file() && !found.is_dir())
 }
 
-fn write_stream(path: &Path, text: &str) -> io::Result<()> {
+fn write_stream(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut stream = fs::File::options().write(true).open(path)?;
-    stream.write_all(text.as_bytes())?;
+    stream.write_all(bytes)?;
     stream.flush()
 }
 

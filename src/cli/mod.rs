@@ -22,6 +22,7 @@ mod leftovers;
 mod level_lists;
 mod man;
 mod merge;
+mod navigation;
 mod plan;
 mod progress;
 mod reroll;
@@ -74,6 +75,7 @@ fn run_command() -> Outcome {
         Command::Merge(arguments) => merge::run(&arguments, screen),
         Command::Init(arguments) => init::run(&arguments, screen),
         Command::Tiles(arguments) => tiles::run(arguments, screen),
+        Command::Navigation(arguments) => navigation::run(&arguments, screen),
         Command::View(arguments) => view::run(arguments, screen),
         Command::Walk(arguments) => walk::run(&arguments, screen),
         Command::Completions(arguments) => man::run_completions(arguments, screen),

@@ -13,6 +13,7 @@ use crate::catalog::{AuditFile, ClassFile, HouseholdsFile, PaletteFile, RoomFile
 use crate::contract::Extras;
 use crate::diff::Report;
 use crate::edits::EditsFile;
+use crate::navigation::{IndexFile, MeshFile};
 use crate::plan::{PlanFile, ProjectFile};
 use crate::storey::Typologies;
 use crate::world::PathFile;
@@ -30,6 +31,8 @@ fn schemas() -> Vec<(String, Schema)> {
         schema::<Extras>("extras"),
         schema::<HouseholdsFile>("households"),
         schema::<Manifest>("manifest"),
+        schema::<MeshFile>("navigation"),
+        schema::<IndexFile>("navigation_index"),
         schema::<PathFile>("path"),
         schema::<PlanFile>("plan"),
         schema::<PaletteFile>("palettes"),

@@ -11,7 +11,7 @@ use crate::plan::{Room, RoomOpening, RoomRef};
 
 use super::gaps::{Cells, Obstacle, fixed_obstacles};
 use super::known::{Known, shape};
-use super::raster::{Raster, cell_around};
+use super::raster::{CELL, Raster, cell_around};
 
 /// The floor of a room with what stands on it.
 #[derive(Clone, Debug)]
@@ -132,7 +132,7 @@ impl Floor {
         (widest, depth): (f64, DoorDepth),
     ) -> Self {
         let bounds = room.region.outline.bounds();
-        let cell = cell_around(bounds.size());
+        let cell = cell_around(bounds.size(), CELL);
         let DoorDepth { behind, before } = depth.with_cells(cell);
         let mut raster = Raster::new(bounds.inflated(behind), cell);
         // Free areas are painted before what blocks: of a cell that is painted twice the last counts.

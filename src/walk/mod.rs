@@ -16,5 +16,5 @@ mod way;
 
 pub(crate) use empty::EmptyFloors;
 pub(crate) use floor::{Floor, Goal, Walk, is_in_the_way};
-pub(crate) use raster::CELL;
+pub(crate) use raster::{CELL, Raster, cell_around};
 pub(crate) use way::{EmptyWalks, Way, blocked_ways};

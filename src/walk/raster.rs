@@ -61,6 +61,16 @@ impl Raster {
         self.is_free.len()
     }
 
+    /// Whether a cell is free.
+    pub(crate) fn is_free(&self, cell: usize) -> bool {
+        self.is_free[cell]
+    }
+
+    /// The outer corner of the first cell.
+    pub(crate) fn corner(&self) -> Point {
+        self.low - Point::splat(self.cell / 2.0)
+    }
+
     /// The middle of a cell.
     pub(crate) fn middle(&self, cell: usize) -> Point {
         let (row, column) = (cell / self.columns, cell % self.columns);
@@ -231,10 +241,10 @@ fn least_squares(heights: &[u16], margin: usize) -> [u16; BLOCK] {
     least
 }
 
-/// Metres from cell to cell for a floor of a size in metres.
-pub(crate) fn cell_around(size: Point) -> f64 {
-    let cells = (size.x / CELL) * (size.y / CELL);
-    CELL * (cells / MOST_CELLS).sqrt().ceil().max(1.0)
+/// Metres from cell to cell for a floor of a size in metres: as wanted, or twice, three times as much for a large one.
+pub(crate) fn cell_around(size: Point, wanted: f64) -> f64 {
+    let cells = (size.x / wanted) * (size.y / wanted);
+    wanted * (cells / MOST_CELLS).sqrt().ceil().max(1.0)
 }
 
 #[cfg(test)]
@@ -321,11 +331,13 @@ mod tests {
 
     #[test]
     fn rooms_of_ordinary_size_have_cells_of_five_centimetres_and_the_largest_no_more_cells_than_others() {
-        let cell = |width: f64, depth: f64| (cell_around(Point::new(width, depth)) * 100.0).round();
+        let cell = |width: f64, depth: f64| (cell_around(Point::new(width, depth), CELL) * 100.0).round();
         assert_eq!([cell(1.0, 1.0), cell(30.0, 20.0), cell(160.0, 170.0)], [5.0; 3]);
         assert_eq!([cell(300.0, 300.0), cell(500.0, 500.0), cell(1000.0, 250.0)], [10.0, 15.0, 15.0]);
-        let raster =
-            Raster::new(Bounds::new(Point::ZERO, Point::splat(500.0)), cell_around(Point::splat(500.0)));
+        let raster = Raster::new(
+            Bounds::new(Point::ZERO, Point::splat(500.0)),
+            cell_around(Point::splat(500.0), CELL),
+        );
         assert!((raster.len() as f64) < 1.01 * MOST_CELLS, "{}", raster.len());
     }
 

@@ -8,6 +8,7 @@ mod edits;
 mod exchange;
 mod inspect;
 mod judge;
+mod navigation;
 mod number;
 #[cfg(test)]
 mod pages;
@@ -30,6 +31,7 @@ pub(crate) use edits::EditsCommand;
 pub(crate) use exchange::{ImportArguments, MergeArguments};
 pub(crate) use inspect::{CatalogArguments, CatalogWord, CheckArguments, DrawArguments, ExplainArguments};
 pub(crate) use judge::{AuditArguments, DiffArguments};
+pub(crate) use navigation::NavigationArguments;
 pub(crate) use plan::PlanArguments;
 pub(crate) use setup::{CompletionsArguments, InitArguments, ManArguments};
 pub(crate) use sources::{EditArguments, FurnishArguments, SourceArguments};
@@ -108,6 +110,9 @@ pub(crate) enum Command {
     /// Furnish plans, or take a finished bake, and write 3D Tiles: one tileset for clients that stream cities.
     #[command(after_help = EXIT_CODES)]
     Tiles(TilesArguments),
+    /// Write navigation meshes and occupancy maps of finished files, for robots and simulators.
+    #[command(after_help = EXIT_CODES)]
+    Navigation(NavigationArguments),
     /// Show furnished buildings in the browser: walk through them, ask why, move furniture.
     #[command(after_help = EXIT_CODES)]
     View(ViewArguments),

@@ -6,13 +6,13 @@ use crate::geometry::{Point, Polygon};
 use crate::plan::limits::{COORDINATE, OUTLINE_CORNERS};
 
 /// A polygon with holes for the `geo` crate.
-pub(in crate::plan) fn to_surface(outline: &Polygon, holes: &[Polygon]) -> geo::Polygon<f64> {
+pub(crate) fn to_surface(outline: &Polygon, holes: &[Polygon]) -> geo::Polygon<f64> {
     let line = |polygon: &Polygon| to_line(polygon.corners());
     geo::Polygon::new(line(outline), holes.iter().map(line).collect())
 }
 
 /// A ring for the `geo` crate.
-pub(in crate::plan) fn to_line(corners: &[Point]) -> LineString<f64> {
+pub(crate) fn to_line(corners: &[Point]) -> LineString<f64> {
     LineString::from_iter(corners.iter().map(|corner| Coord { x: corner.x, y: corner.y }))
 }
 
