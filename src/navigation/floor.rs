@@ -198,7 +198,7 @@ fn bodies(
     furnished: &Furnished,
     (catalog, agent): (&Catalog, Agent),
 ) -> Vec<Body> {
-    let rules = WalkingRules { body_height: agent.height, step: agent.step, ..catalog.audit.walking.clone() };
+    let rules = WalkingRules { body_height: agent.height, step: agent.step, ..catalog.audit.walking };
     let pieces = furnished.placements.iter().flat_map(|placement| {
         let parts = solids(&catalog.classes[placement.class], placement);
         parts.into_iter().filter(|part| is_in_the_way(&rules, part)).map(|part| Body::new(part.footprint()))
