@@ -4,7 +4,7 @@
 #     bash docs/walkthrough.sh [FOLDER]
 #
 # Works on a copy of the demo's house in FOLDER (walkthrough/ if none is named) and writes nothing elsewhere, but for what
-# it sets up where it is missing: the program (cargo build --release), .venv/ and scripts/node_modules/, as scripts/test.sh
+# it sets up where it is missing: the program (cargo build --release), .venv/ and python/roomwright/khronos/node_modules/, as scripts/test.sh
 # does. Needs what that needs: Rust, Python 3.11 or newer; Node for the Khronos validator, else that is left out.
 #
 # Blender 4.2 or newer is taken from ROOMWRIGHT_BLENDER (a `blender`, or a Python with Blender's module bpy), else from the

@@ -20,7 +20,9 @@ import sys
 import time
 from pathlib import Path
 
-import environment
+import in_project
+
+from roomwright import environment
 
 environment.require(environment.PLANS, __name__)
 
@@ -31,7 +33,7 @@ from planned.neighbours import neighbour_faults
 from planned.plan import plans_in
 from planned.report import as_json, as_text
 from planned.table import FAULTS
-from workers import outcomes
+from roomwright.workers import outcomes
 
 
 def parse_arguments(arguments: list[str] | None) -> argparse.Namespace:

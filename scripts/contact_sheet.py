@@ -14,11 +14,13 @@ import sys
 import tempfile
 from pathlib import Path
 
-import environment
+import in_project
+
+from roomwright import environment
 
 environment.require(environment.PICTURES, __name__)
 
-from blender.command_line import quiet_blender
+from roomwright.blender.command_line import quiet_blender
 from pictures.contact_grid import ACROSS, CELL, LABEL, group_cells
 
 SETS = {"plain": "modern", "traditional": "traditional", "industrial": "industrial", "budget": "budget"}

@@ -14,8 +14,10 @@ import sys
 from dataclasses import astuple, dataclass, fields
 from pathlib import Path
 
-from gltf_document import GltfError
-from gltf_file import GltfFile
+import in_project
+
+from roomwright.gltf_document import GltfError
+from roomwright.gltf_file import GltfFile
 
 HEADINGS = ("floor", "nodes", "draw calls", "triangles", "lights", "images", "MB")
 LIGHTS = "KHR_lights_punctual"

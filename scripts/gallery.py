@@ -16,13 +16,15 @@ import sys
 import tempfile
 from pathlib import Path
 
-import environment
+import in_project
+
+from roomwright import environment
 
 environment.require(environment.PICTURES, __name__)
 
 import contact_sheet
 import render
-from gltf_document import GltfError
+from roomwright.gltf_document import GltfError
 from pictures import gallery_plans
 from pictures.floor_view import ViewError
 

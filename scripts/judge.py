@@ -20,18 +20,20 @@ import sys
 import time
 from pathlib import Path
 
-import environment
+import in_project
+
+from roomwright import environment
 
 environment.require(environment.TOOLS, __name__)
 
 from tqdm import tqdm
 
-from checks.manifest import scenes_in
+from roomwright.checks.manifest import scenes_in
 from judging.judgement import Task, Verdict, judge_file
 from judging.report import (agreement_of, disagreements, given_lines, markdown, measures_table, rows_of, variety_of,
                             worst_rooms)
 from judging.table import MEASURES, SUBJECTS
-from workers import outcomes
+from roomwright.workers import outcomes
 
 
 # Arrangements that a room should have.

@@ -4,7 +4,7 @@
 Bakes every PLAN several times on one thread and takes the processor time of each level from the system when the level is
 reported. The costs of the types are those that explain the levels best (least squares, none below zero); the cost of a level
 without rooms is one of them. Types with fewer than 5 rooms share the mean cost of a room. Linux only. --write puts the table
-into distributed/costs.json; without it, it is printed.
+into python/roomwright/distributed/costs.json; without it, it is printed.
 
 Exit 0: measured. 2: a plan could not be baked.
 """
@@ -18,11 +18,13 @@ import sys
 import tempfile
 from pathlib import Path
 
-from distributed.failure import Failure
-from distributed.listing import list_levels
-from distributed.program import find_program
+import in_project
 
-TABLE = Path(__file__).with_name("distributed") / "costs.json"
+from roomwright.distributed.failure import Failure
+from roomwright.distributed.listing import list_levels
+from roomwright.distributed.program import find_program
+
+TABLE = Path(__file__).resolve().parents[1] / "python" / "roomwright" / "distributed" / "costs.json"
 RUNS = 3
 # Rooms of a type below which its cost is not told from those of the rooms beside it.
 LEAST_ROOMS = 5

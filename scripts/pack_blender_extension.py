@@ -5,7 +5,7 @@
   blender --command extension install-file --repo user_default --enable roomwright-1.0.0.zip
 
 or, in Blender's window, Edit > Preferences > Get Extensions > Install from Disk. The name's number is the version of
-scripts/blender/roomwright/blender_manifest.toml. The same sources give the same bytes. Needs Python alone. Exit 0:
+python/roomwright/blender/extension/blender_manifest.toml. The same sources give the same bytes. Needs Python alone. Exit 0:
 written. 2: nothing is written.
 """
 
@@ -16,7 +16,7 @@ import zipfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-PACKAGE = ROOT / "scripts" / "blender" / "roomwright"
+PACKAGE = ROOT / "python" / "roomwright" / "blender" / "extension"
 MANIFEST = "blender_manifest.toml"
 # The first time that a zip can hold: times of files differ between copies of the project.
 TIME = (1980, 1, 1, 0, 0, 0)

@@ -19,11 +19,13 @@ import sys
 from html import escape
 from pathlib import Path
 
-import environment
+import in_project
+
+from roomwright import environment
 
 environment.require(environment.TOOLS, __name__)
 
-from checks.manifest import scenes_in
+from roomwright.checks.manifest import scenes_in
 from judging.floors import Room, read_floor
 from judging.judgement import attach
 from judging.sketch import drawn_shapes, fixture_shapes, own_shapes, room_shapes, svg

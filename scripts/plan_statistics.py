@@ -16,13 +16,15 @@ import os
 import sys
 from pathlib import Path
 
-import environment
+import in_project
+
+from roomwright import environment
 
 environment.require(environment.PLANS, __name__)
 
 from planned.plan import plans_in
 from planned.statistics import Samples, compare, samples_of_file, together
-from workers import outcomes
+from roomwright.workers import outcomes
 
 # Distances up to here count as alike: with hundreds of values a side, samples of one kind of building differ by half of it.
 ALIKE = 0.25

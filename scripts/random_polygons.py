@@ -18,7 +18,9 @@ import math
 import random
 from pathlib import Path
 
-import environment
+import in_project
+
+from roomwright import environment
 
 environment.require(environment.TOOLS, __name__)
 

@@ -19,13 +19,15 @@ import sys
 import time
 from pathlib import Path
 
-import environment
+import in_project
+
+from roomwright import environment
 
 environment.require(environment.PICTURES, __name__)
 
-from blender.command_line import quiet_blender
-from gltf_document import GltfError
-from gltf_file import GltfFile
+from roomwright.blender.command_line import quiet_blender
+from roomwright.gltf_document import GltfError
+from roomwright.gltf_file import GltfFile
 from pictures.cameras import choose
 from pictures.floor_view import Level, ViewError, read_level
 

@@ -13,11 +13,12 @@ set_up_python() {
   .venv/bin/python --version
 }
 
-# scripts/node_modules/ from the lock file: the Khronos validator that validate.py runs.
+# python/roomwright/khronos/node_modules/ from the lock file: the Khronos validator that validate.py runs.
 set_up_validator() {
-  if ! cmp -s scripts/package-lock.json scripts/node_modules/.lock; then
-    (cd scripts && npm ci --loglevel=error)
-    cp scripts/package-lock.json scripts/node_modules/.lock
+  local folder=python/roomwright/khronos
+  if ! cmp -s $folder/package-lock.json $folder/node_modules/.lock; then
+    (cd $folder && npm ci --loglevel=error)
+    cp $folder/package-lock.json $folder/node_modules/.lock
   fi
   node --version
 }

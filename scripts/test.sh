@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs every check of the project: bash scripts/test.sh
 #
-# Sets up what it needs by itself (.venv/ from scripts/requirements.txt, scripts/node_modules/ from the lock
+# Sets up what it needs by itself (.venv/ from scripts/requirements.txt, python/roomwright/khronos/node_modules/ from the lock
 # file), asks nothing, stops at the first step that fails, and ends with "N passed, N failed".
 # Needs Rust 1.90 or newer, Python 3.11 or newer with venv, Node 20 or newer; with Chromium or Google Chrome on the path it
 # opens the demo in browser clients, too. ROOMWRIGHT_PYTHON names another Python, ROOMWRIGHT_CHROMIUM another browser.

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import shapely
 
-from gltf_file import GltfFile, Node
+from roomwright.gltf_file import GltfFile, Node
 
 from .drawn import Drawn
 from .pieces import Mesh, MeshShelf, Piece

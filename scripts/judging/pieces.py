@@ -10,8 +10,8 @@ from functools import cached_property
 import numpy as np
 import shapely
 
-from checks.bodies import Part, connected, parts_of, weld
-from gltf_file import Node
+from roomwright.checks.bodies import Part, connected, parts_of, weld
+from roomwright.gltf_file import Node
 
 from .shapes import hull, rectangle
 

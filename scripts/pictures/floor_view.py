@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from gltf_file import GltfFile, Node
+from roomwright.gltf_file import GltfFile, Node
 
 # The plan's axes from glTF's: x, y, z become x, -z, y.
 AXES = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])

@@ -66,8 +66,8 @@ fn needs(script: &str) -> (&'static str, bool) {
 /// Says what is missing.
 fn python_for(script: &str) -> Result<PathBuf, String> {
     let (modules, needs_validator) = needs(script);
-    if needs_validator && !project().join("scripts/node_modules/gltf-validator").is_dir() {
-        return Err("scripts/node_modules is missing".to_owned());
+    if needs_validator && !project().join("python/roomwright/khronos/node_modules/gltf-validator").is_dir() {
+        return Err("python/roomwright/khronos/node_modules is missing".to_owned());
     }
     let can_import = |python: &PathBuf| {
         let mut command = Command::new(python);

@@ -14,7 +14,7 @@ from conftest import ROOT, Floor, build_floor
 HAS_BLENDER = importlib.util.find_spec("bpy") is not None
 if HAS_BLENDER:
     import bpy
-    from blender.roomwright.importing import KINDS
+    from roomwright.blender.extension.importing import KINDS
 
 needs_blender = pytest.mark.skipif(not HAS_BLENDER, reason="bpy is not installed (scripts/requirements-render.txt)")
 PROGRAM = os.environ.get("ROOMWRIGHT_PROGRAM") or next(

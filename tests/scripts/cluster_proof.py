@@ -23,7 +23,7 @@ import threading
 import time
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python"))
 
 FAILING_SHARE = 0.05
 DAMAGED_SHARE = 0.05
@@ -76,7 +76,7 @@ def start_nodes():
     cluster = Cluster(initialize_head=True, head_node_args={"num_cpus": 0})
     nodes = [cluster.add_node(num_cpus=1) for _ in range(3)]
     ray.init(address=cluster.address, log_to_driver=False,
-             runtime_env={"py_modules": [str(Path(__file__).resolve().parents[2] / "scripts" / "distributed")]})
+             runtime_env={"py_modules": [str(Path(__file__).resolve().parents[2] / "python" / "roomwright")]})
     return cluster, nodes
 
 
@@ -115,7 +115,7 @@ def break_things(cluster, node, system, endpoint: str, events: list[str]) -> Non
 
 
 def run_driver(arguments: list[str]) -> tuple[int, str, float]:
-    import cluster
+    from roomwright import cluster
     started, output = time.monotonic(), io.StringIO()
     with contextlib.redirect_stdout(output):
         code = cluster.main(arguments)

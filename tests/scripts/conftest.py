@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "scripts"))
+sys.path[:0] = [str(ROOT / "python"), str(ROOT / "scripts")]
 
 # Blender's Python has none of what convert.py and validate.py need: their tests are left out there.
 TOOLS = ("pxr", "shapely", "trimesh", "tqdm", "jsonschema", "PIL")

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import shapely
 
-import convert
+from roomwright import convert
 
 
 def run(*arguments) -> int:

@@ -7,22 +7,22 @@ import json
 import math
 import subprocess
 
-import blender_export
+from roomwright.blender import export_command as blender_export
 import numpy as np
 import pytest
-from blender import roomwright
-from blender.roomwright.errors import ExportError
-from blender.roomwright.identities import Identities
-from blender.roomwright.outline import is_inside
+from roomwright.blender import extension
+from roomwright.blender.extension.errors import ExportError
+from roomwright.blender.extension.identities import Identities
+from roomwright.blender.extension.outline import is_inside
 from blender_scene import HAS_BLENDER, PROGRAM, census, delete, duplicate, needs_blender, storey, world_matrices
 from conftest import furniture
-from gltf_file import GltfFile
+from roomwright.gltf_file import GltfFile
 
 if HAS_BLENDER:
     import bpy
-    from blender.roomwright.exporting import export_level
-    from blender.roomwright.importing import import_bake
-    from blender.roomwright.options import Options
+    from roomwright.blender.extension.exporting import export_level
+    from roomwright.blender.extension.importing import import_bake
+    from roomwright.blender.extension.options import Options
     from mathutils import Matrix, Vector
 
 SITE = {"position": [300.0, -200.0], "turn": 0.5}
@@ -210,11 +210,11 @@ class TestBlender:
         assert "which level" in capsys.readouterr().err and not target.exists()
         assert blender_export.main([str(blend), "--out", str(target), "--level", "house/upper"]) == 0
         assert blender_export.main([str(tmp_path / "absent.blend"), "--out", str(tmp_path / "2.glb")]) == 2
-        roomwright.register()
+        extension.register()
         try:
             done = bpy.ops.export_scene.roomwright(filepath=str(tmp_path / "menu.glb"), level="house/upper")
         finally:
-            roomwright.unregister()
+            extension.unregister()
         assert done == {"FINISHED"} and nodes_of(tmp_path / "menu.glb").keys() == nodes_of(target).keys()
 
     @pytest.mark.skipif(PROGRAM is None, reason="no roomwright program is built (ROOMWRIGHT_PROGRAM names one)")

@@ -6,12 +6,12 @@ import json
 import os
 
 import pytest
-import resources
-from blender.roomwright.document import Document
-from blender.roomwright.errors import BakeError
-from blender.roomwright.floors import find_floors
-from blender.roomwright.parts import sort_nodes
-from blender.roomwright.resources import locate
+from roomwright import resources
+from roomwright.blender.extension.document import Document
+from roomwright.blender.extension.errors import BakeError
+from roomwright.blender.extension.floors import find_floors
+from roomwright.blender.extension.parts import sort_nodes
+from roomwright.blender.extension.resources import locate
 from blender_scene import PNG, storey, write_bake
 from conftest import write_manifest
 

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-import blender_import
+from roomwright.blender import import_command as blender_import
 import numpy as np
 import pytest
-from blender import roomwright
-from blender.roomwright.errors import BakeError
+from roomwright.blender import extension
+from roomwright.blender.extension.errors import BakeError
 from blender_scene import HAS_BLENDER, PNG, census, needs_blender, storey, world_matrices, write_bake
 from conftest import glass
 
 if HAS_BLENDER:
     import bpy
-    from blender.roomwright.assets import CATALOG_FILE, catalog_id, write_catalog
-    from blender.roomwright.importing import import_bake
-    from blender.roomwright.options import Options
-    from blender.roomwright.visibility import collections_of, show_part
+    from roomwright.blender.extension.assets import CATALOG_FILE, catalog_id, write_catalog
+    from roomwright.blender.extension.importing import import_bake
+    from roomwright.blender.extension.options import Options
+    from roomwright.blender.extension.visibility import collections_of, show_part
 
 
 @pytest.fixture
@@ -246,7 +246,7 @@ class TestBlender:
         assert "a.glb: is cut off" in capsys.readouterr().err and not (tmp_path / "house.blend").exists()
 
     def test_from_the_menu(self, bake):
-        roomwright.register()
+        extension.register()
         try:
             folder = str(bake / "house") + "/"
             done = bpy.ops.import_scene.roomwright(directory=folder, files=[{"name": "b.glb"}], ceilings=False)
@@ -257,7 +257,7 @@ class TestBlender:
             with pytest.raises(RuntimeError, match="no level matches attic"):
                 bpy.ops.import_scene.roomwright(directory=folder, levels="attic")
         finally:
-            roomwright.unregister()
+            extension.unregister()
         assert not hasattr(bpy.types, "IMPORT_SCENE_OT_roomwright")
 
     def test_a_real_bake_with_textures(self, baked):

@@ -18,9 +18,9 @@ from conftest import ROOT
 
 if HAS_BLENDER:
     import bpy
-    from blender.roomwright.exporting import export_level
-    from blender.roomwright.importing import import_bake
-    from blender.roomwright.options import Options
+    from roomwright.blender.extension.exporting import export_level
+    from roomwright.blender.extension.importing import import_bake
+    from roomwright.blender.extension.options import Options
     from mathutils import Matrix, Vector
 
 EXAMPLES = ROOT / "docs" / "examples"

@@ -14,7 +14,7 @@ from contextlib import contextmanager
 import pytest
 from blender_scene import HAS_BLENDER, PROGRAM, needs_blender
 from conftest import LACKS, ROOT, build_floor
-from gltf_file import GltfFile
+from roomwright.gltf_file import GltfFile
 
 if HAS_BLENDER:
     import bpy

@@ -15,11 +15,11 @@ from pathlib import Path
 import pytest
 from conftest import ROOT
 
-from distributed import job as jobs
-from distributed.failure import Failure
-from distributed.inputs import pack
-from distributed.sizing import UNIT_SECONDS, cut, cut_into, read_costs, sample_of
-from distributed.store import Folder, Objects, repeated
+from roomwright.distributed import job as jobs
+from roomwright.distributed.failure import Failure
+from roomwright.distributed.inputs import pack
+from roomwright.distributed.sizing import UNIT_SECONDS, cut, cut_into, read_costs, sample_of
+from roomwright.distributed.store import Folder, Objects, repeated
 
 SCRIPT = ROOT / "scripts" / "cluster.py"
 TEMPLATES = ROOT / "docs" / "cluster"
@@ -173,7 +173,7 @@ def test_another_job_in_the_same_place_is_refused(city):
 
 
 def test_a_store_that_fails_for_a_while_is_asked_again(monkeypatch, tmp_path):
-    monkeypatch.setattr("distributed.store.FIRST_PAUSE", 0.0)
+    monkeypatch.setattr("roomwright.distributed.store.FIRST_PAUSE", 0.0)
     answers = iter([OSError("slow down"), OSError("slow down"), b"content"])
 
     def ask():
@@ -224,7 +224,7 @@ class Bucket:
 
 @pytest.mark.parametrize("spoil", [lambda content: content[:-1] + b"?", lambda content: content[:3]])
 def test_a_file_that_arrives_altered_or_cut_short_is_sent_again(monkeypatch, tmp_path, spoil):
-    monkeypatch.setattr("distributed.store.FIRST_PAUSE", 0.0)
+    monkeypatch.setattr("roomwright.distributed.store.FIRST_PAUSE", 0.0)
     bucket = Bucket(spoil)
     (tmp_path / "1.glb").write_bytes(b"a level")
     store = bucket.store()

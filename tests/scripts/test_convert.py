@@ -10,8 +10,8 @@ from conftest import build_floor
 from pxr import Kind, Sdf, Usd, UsdGeom, UsdSemantics
 from usd_reading import assert_same_meshes, assert_same_places, assert_same_tree, assert_valid, converted, node_prims
 
-import convert
-from gltf_file import GltfFile
+from roomwright import convert
+from roomwright.gltf_file import GltfFile
 
 Z_UP = np.array([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]], float)
 

@@ -14,8 +14,16 @@ PICTURES = ("render.py", "gallery.py", "contact_sheet.py")
 @pytest.fixture
 def project(tmp_path):
     """The scripts in a folder where nothing is set up."""
-    shutil.copytree(ROOT / "scripts", tmp_path / "scripts", ignore=shutil.ignore_patterns("node_modules", "__pycache__"))
+    for folder in ("scripts", "python"):
+        shutil.copytree(ROOT / folder, tmp_path / folder, ignore=shutil.ignore_patterns("node_modules", "__pycache__"))
     return tmp_path
+
+
+@pytest.fixture
+def installed(tmp_path):
+    """The package alone, as an installation has it."""
+    shutil.copytree(ROOT / "python", tmp_path / "packages", ignore=shutil.ignore_patterns("node_modules", "__pycache__"))
+    return tmp_path / "packages"
 
 
 def run_bare(project, script, *arguments):
@@ -64,3 +72,21 @@ def test_a_script_goes_on_in_the_environment_that_is_set_up(project):
 def test_the_command_that_is_named_is_there():
     assert "\nset_up_python() {" in (ROOT / "scripts" / "set_up.sh").read_text()
     assert (ROOT / "scripts" / "requirements-render.txt").is_file()
+
+
+@pytest.mark.parametrize("module, extra", [("validate", "validate"), ("convert", "usd"), ("blender.import_command", "blender")])
+def test_an_installed_package_names_the_extra_that_it_lacks(installed, module, extra):
+    done = subprocess.run([sys.executable, "-S", "-m", f"roomwright.{module}", "out"], cwd=installed, capture_output=True, text=True,
+                          timeout=60)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "Traceback" not in done.stderr and done.stderr.endswith(f'{sys.executable} -m pip install "roomwright[{extra}]"\n')
+
+
+def test_a_module_goes_on_in_the_environment_that_is_set_up(project):
+    python = project / ".venv" / "bin" / "python"
+    python.parent.mkdir(parents=True)
+    python.write_text('#!/bin/sh\necho "$*"\n')
+    python.chmod(0o755)
+    done = subprocess.run([sys.executable, "-S", "-m", "roomwright.validate", "out"], cwd=project / "python", capture_output=True,
+                          text=True, timeout=60)
+    assert done.stdout == "-m roomwright.validate out\n"

@@ -10,9 +10,9 @@ import pytest
 from conftest import ROOT, build_floor, write_manifest
 from mutations import dumped, glb, mutated, mutated_bytes
 
-import convert
-import validate
-from resources import ForbiddenError, locate, reach_of
+from roomwright import convert
+from roomwright import validate
+from roomwright.resources import ForbiddenError, locate, reach_of
 
 SECRET = b"\x89PNG\r\n\x1a\n that nobody gave away"
 SEED = 20240917
@@ -195,7 +195,7 @@ def test_a_name_forges_no_line_of_the_report(place, capsys):
 
 
 def test_a_process_that_dies_fails_its_file_alone():
-    from workers import DIED, outcomes
+    from roomwright.workers import DIED, outcomes
 
     found = list(outcomes(dies_at_two, [1, 2, 3, 4], 2))
     assert [str(outcome) for outcome in found] == ["1", DIED, "3", "4"]
@@ -211,7 +211,7 @@ HERE = []
 
 
 def test_workers_are_no_copies_whose_locks_nobody_opens():
-    from workers import outcomes
+    from roomwright.workers import outcomes
 
     HERE.append("a lock that a thread of this process holds")
     assert list(outcomes(what_is_here, [1, 2], 2)) == [[], []]

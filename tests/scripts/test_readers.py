@@ -8,8 +8,8 @@ import pytest
 import trimesh
 from pxr import Usd, UsdGeom, UsdUtils
 
-import convert
-from gltf_file import GltfFile
+from roomwright import convert
+from roomwright.gltf_file import GltfFile
 
 FLOORS = ("house/ground.glb", "office/office.glb")
 

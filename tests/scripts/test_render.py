@@ -10,7 +10,7 @@ import pytest
 
 import render
 from conftest import furniture
-from gltf_file import GltfFile
+from roomwright.gltf_file import GltfFile
 from pictures import cameras, cuts, floor_view
 from pictures.camera import SENSOR
 

@@ -10,12 +10,12 @@ from conftest import build_floor, furniture, write_manifest
 from simulation_reading import at, bodies, document, extent, is_in_convex, mesh_points, run, shapes, vector
 from test_usd_doors import HINGE, OPEN_TIP, SHUT_TIP, add_door, move_points
 
-from checks.bodies import parts_of
-from gltf_file import GltfFile
-from simulation.axes import quaternion, roll_pitch_yaw
-from simulation.bodies import Surface
-from simulation.level import read_level
-from simulation.prisms import area_of, colliders_of_shell, convex_pieces, prism
+from roomwright.checks.bodies import parts_of
+from roomwright.gltf_file import GltfFile
+from roomwright.simulation.axes import quaternion, roll_pitch_yaw
+from roomwright.simulation.bodies import Surface
+from roomwright.simulation.level import read_level
+from roomwright.simulation.prisms import area_of, colliders_of_shell, convex_pieces, prism
 
 ROOM = "house/ground/101"
 LEAF = "house/ground/door:d1/leaf"

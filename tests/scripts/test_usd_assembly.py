@@ -9,8 +9,8 @@ from conftest import build_floor
 from pxr import Gf, Usd, UsdGeom
 from usd_reading import assert_valid, world_of
 
-import convert
-from gltf_file import GltfFile
+from roomwright import convert
+from roomwright.gltf_file import GltfFile
 
 # The site of the second building: east and north in metres, radians counter-clockwise.
 SITE = {"position": [30.0, 12.0], "turn": math.pi / 2}
@@ -140,10 +140,10 @@ def test_a_file_alone_has_no_stage_of_its_building(site, tmp_path):
 
 def test_a_thousand_floors_open_at_once(tmp_path):
     """The stage of a city, without its buildings' files: what a viewer reads first."""
-    from usd.assembly import write_assemblies
-    from usd.floor import Written
-    from usd.level import Level
-    from usd.settings import Settings
+    from roomwright.usd.assembly import write_assemblies
+    from roomwright.usd.floor import Written
+    from roomwright.usd.level import Level
+    from roomwright.usd.settings import Settings
 
     box = ((0.0, 0.0, -10.0), (10.0, 3.0, 0.0))
     floors = [Written(tmp_path / f"tower-{tower}" / f"{level}.usdc",

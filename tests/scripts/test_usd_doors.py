@@ -8,8 +8,8 @@ from conftest import build_floor, furniture
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics
 from usd_reading import assert_same_meshes, assert_same_places, assert_valid, converted, mesh_prims, world_of
 
-from gltf_file import GltfFile
-from usd import physics
+from roomwright.gltf_file import GltfFile
+from roomwright.usd import physics
 
 LEAF = "/house_ground/door_d1/leaf_door_d1"
 ROOM = "/house_ground/room_101"

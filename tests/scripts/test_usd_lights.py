@@ -6,8 +6,8 @@ import pytest
 from pxr import Gf, Usd, UsdGeom, UsdLux
 from usd_reading import assert_same_tree, assert_valid, converted, geometry_of
 
-from gltf_file import GltfFile
-from usd.lights import EXPOSURE
+from roomwright.gltf_file import GltfFile
+from roomwright.usd.lights import EXPOSURE
 
 LAMP = "/house_ground/room_101/desk_2_101/lamp_1_101"
 KELVIN = 2700.0

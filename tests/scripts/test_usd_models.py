@@ -8,8 +8,8 @@ from conftest import build_floor
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdShade
 from usd_reading import assert_same_meshes, assert_valid, bound_materials, converted, geometry_of, mesh_prims
 
-import convert
-from gltf_file import GltfFile
+from roomwright import convert
+from roomwright.gltf_file import GltfFile
 
 PNG = b"\x89PNG\r\n\x1a\n and the rest"
 ROOM = "/house_ground/room_101"

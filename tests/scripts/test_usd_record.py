@@ -7,7 +7,7 @@ import pytest
 from conftest import build_floor
 from test_usd_assembly import write_level
 
-import convert
+from roomwright import convert
 
 RECORD = "converted.json"
 

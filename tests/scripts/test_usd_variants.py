@@ -5,7 +5,7 @@ import pytest
 from pxr import Gf, Usd, UsdGeom
 from usd_reading import assert_same_tree, assert_valid, bound_materials, converted, geometry_of, mesh_prims, world_points
 
-from gltf_file import GltfFile
+from roomwright.gltf_file import GltfFile
 
 ROOM = "/house_ground/room_101"
 RED, BLUE = (0.8, 0.1, 0.1, 1.0), (0.1, 0.1, 0.8, 1.0)

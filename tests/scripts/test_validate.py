@@ -6,9 +6,9 @@ import shutil
 import pytest
 from conftest import FACES, ROOT, write_manifest
 
-import validate
+from roomwright import validate
 
-KHRONOS_IS_THERE = shutil.which("node") and (ROOT / "scripts/node_modules/gltf-validator").is_dir()
+KHRONOS_IS_THERE = shutil.which("node") and (ROOT / "python/roomwright/khronos/node_modules/gltf-validator").is_dir()
 
 
 def faults_of(path) -> list[str]:
@@ -201,7 +201,7 @@ class TestManifest:
         assert self.messages(manifest)[0].startswith("cannot be read: ")
 
 
-@pytest.mark.skipif(not KHRONOS_IS_THERE, reason="node or gltf-validator is not installed (npm ci in scripts/)")
+@pytest.mark.skipif(not KHRONOS_IS_THERE, reason="node or gltf-validator is not installed (npm ci in python/roomwright/khronos/)")
 class TestKhronos:
     """The Khronos validator behind validate.py."""
 

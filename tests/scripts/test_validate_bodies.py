@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from conftest import FACES, furniture
 
-from checks.bodies import parts_of
-from checks.geometry import check_collisions, check_containment, check_pieces
-from checks.overlap import overlap
-from gltf_file import GltfFile
+from roomwright.checks.bodies import parts_of
+from roomwright.checks.geometry import check_collisions, check_containment, check_pieces
+from roomwright.checks.overlap import overlap
+from roomwright.gltf_file import GltfFile
 
 
 def box(low, high, faces=FACES) -> dict:

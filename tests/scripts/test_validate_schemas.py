@@ -8,11 +8,11 @@ from collections.abc import Iterator
 
 import pytest
 from blender_scene import storey
-from checks.contract import check_extras
-from checks.manifest import complaints
-from checks.schemas import extras_schemas, place_of
+from roomwright.checks.contract import check_extras
+from roomwright.checks.manifest import complaints
+from roomwright.checks.schemas import extras_schemas, place_of
 from conftest import write_manifest
-from gltf_file import GltfFile
+from roomwright.gltf_file import GltfFile
 
 # Keys that a bake writes only where there is something to say.
 OPTIONAL_OF_EXTRAS = {("level", "site"), ("opening", "leaves"), ("part", "outline"), ("part", "height"), ("room", "score"),

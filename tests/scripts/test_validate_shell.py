@@ -3,9 +3,9 @@
 import pytest
 from conftest import Floor, furniture
 
-import validate
-from checks.shell import check_shell
-from gltf_file import GltfFile
+from roomwright import validate
+from roomwright.checks.shell import check_shell
+from roomwright.gltf_file import GltfFile
 
 SIDE, HEIGHT, THICKNESS = 3.0, 2.5, 0.1
 

@@ -6,9 +6,9 @@ import pytest
 from conftest import build_floor
 from pxr import Sdf, Usd, UsdGeom
 
-import convert
-import validate
-from checks.stages import check_stage
+from roomwright import convert
+from roomwright import validate
+from roomwright.checks.stages import check_stage
 
 
 def faults_of(file) -> list[str]:

@@ -16,8 +16,8 @@ from jsonschema import Draft202012Validator
 from referencing import Registry, Resource
 from tile_site import Site, features, offsets_of
 
-import validate
-from checks.tileset import check_tileset
+from roomwright import validate
+from roomwright.checks.tileset import check_tileset
 
 
 @pytest.fixture

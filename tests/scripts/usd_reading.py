@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 from pxr import Usd, UsdGeom, UsdShade, UsdValidation
 
-import convert
-from gltf_file import GltfFile
-from usd.floor import Written
-from usd.settings import Settings
+from roomwright import convert
+from roomwright.gltf_file import GltfFile
+from roomwright.usd.floor import Written
+from roomwright.usd.settings import Settings
 
 # Metres.
 PLACE_TOLERANCE = 1e-4

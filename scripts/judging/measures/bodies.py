@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 import shapely
 
-from checks.overlap import overlap
+from roomwright.checks.overlap import overlap
 
 from ..floors import Room
 from ..measure import Answer, Fault, Measure, answer
