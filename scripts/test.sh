@@ -91,6 +91,11 @@ tiles() {
   .venv/bin/python scripts/validate.py "$work/tiles"
 }
 
+# The package with its program, of the release build above; pytest installs it in a clean environment.
+wheel() {
+  .venv/bin/python -m maturin build --release --quiet --out "$work/wheel"
+}
+
 # The newcomer's walk from a plan to kept edits, in Blender where there is one; its page and edits file are looked at.
 walk() {
   ROOMWRIGHT_PROGRAM=$top/target/release/roomwright bash docs/walkthrough.sh "$work/walkthrough"
@@ -163,5 +168,6 @@ step "Viewers" viewers
 step "Tiles in viewers" tile_viewers
 step "The page of roomwright view" viewer
 step "WebAssembly" web
-step "pytest" counted env ROOMWRIGHT_BAKED="$work/release" ROOMWRIGHT_PROGRAM="$top/target/release/roomwright" .venv/bin/python -m pytest -q -rs -n 2 --dist loadfile tests/scripts
+step "Wheel" checked wheel
+step "pytest" counted env ROOMWRIGHT_WHEEL="$(echo "$work"/wheel/*.whl)" ROOMWRIGHT_BAKED="$work/release" ROOMWRIGHT_PROGRAM="$top/target/release/roomwright" .venv/bin/python -m pytest -q -rs -n 2 --dist loadfile tests/scripts
 step_name=
