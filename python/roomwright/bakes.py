@@ -45,8 +45,8 @@ class Bake:
             raise BakeError(f"{path}: no JSON: {error}") from error
         version = manifest.get("manifest") if isinstance(manifest, dict) else None
         if version != VERSION or not isinstance(manifest.get("levels"), list):
-            raise BakeError(f"{path}: no manifest of version {VERSION}, but {str(version)[:60]}; hint: bake again with the program of "
-                            "this package")
+            raise BakeError(f"{path}: no manifest of version {VERSION}, but {str(version)[:60]}; hint: bake again with the program "
+                            "of this package")
         return cls(Path(folder), manifest, warnings)
 
     @cached_property
@@ -77,7 +77,8 @@ class Bake:
         except (LookupError, TypeError, AttributeError) as error:
             raise BakeError(f"{self.folder / MANIFEST}: a level without files, {type(error).__name__}: {error}") from error
         if scene is None:
-            raise BakeError(f"{self.folder}: the level {record.get('level')} has no .glb or .gltf; hint: bake without --format tiles")
+            raise BakeError(f"{self.folder}: the level {record.get('level')} has no .glb or .gltf; "
+                            "hint: bake without --format tiles")
         root = self.folder.resolve()
         try:
             # A manifest sends nobody out of its folder.

@@ -20,8 +20,8 @@ def bake(plans: PathLike | Iterable[PathLike], out: PathLike, *, seed: int | Non
     `options` are those of `roomwright bake`, with `_` for `-`: `textures="none"` is `--textures none`, `shared_library=True` is
     `--shared-library`, and a list repeats an option. None and False leave it out.
 
-    Raises ProgramError with the program's own message and exit code: 1 if some levels failed and the others are written (`Bake.open`
-    reads them), 2 if nothing was.
+    Raises ProgramError with the program's own message and exit code: 1 if some levels failed and the others are written
+    (`Bake.open` reads them), 2 if nothing was.
     """
     paths = [plans] if isinstance(plans, (str, os.PathLike)) else list(plans)
     named = {"seed": seed, "style": style, "out": out, **options}

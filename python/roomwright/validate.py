@@ -190,7 +190,8 @@ def main(arguments: list[str] | None = None) -> int:
         print("validate: there is no .glb, .gltf or USD file", file=sys.stderr)
         return 2
     if not SCHEMA_FOLDER.is_dir():
-        print(f"validate: {SCHEMA_FOLDER} is missing; hint: install the package whole, or run the script in the project's folder", file=sys.stderr)
+        print(f"validate: {SCHEMA_FOLDER} is missing; hint: install the package again, or run the script in the project's folder",
+              file=sys.stderr)
         return 2
     with_khronos = not options.no_khronos and any(judged.file.suffix.lower() in SCENE_ENDINGS for judged in files)
     if with_khronos and not is_installed():

@@ -1,1 +1,1 @@
-"""Bakes in Blender, without a window: `import_command` and `export_command`. `extension` is what Blender installs for its window."""
+"""Bakes in Blender, without a window: `import_command` and `export_command`. Blender installs `extension` for its window."""

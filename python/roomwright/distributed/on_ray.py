@@ -17,7 +17,8 @@ def connect(address: str | None):
     try:
         import ray
     except ImportError as error:
-        raise Failure("Ray is not there: python -m pip install 'roomwright[cluster]', or -r scripts/requirements-cluster.txt in the project's folder") from error
+        raise Failure("Ray is not there: python -m pip install -r scripts/requirements-cluster.txt, "
+                      "or 'roomwright[cluster]'") from error
     # The code of the tasks goes along: the machines need no copy of the project.
     package = str(Path(__file__).resolve().parents[1])
     if not ray.is_initialized():
