@@ -56,7 +56,7 @@ fn needs(script: &str) -> (&'static str, bool) {
         "scripts/validate.py" => ("numpy, shapely, trimesh, pxr, tqdm, jsonschema", true),
         "scripts/cluster.py" => ("json", false),
         "scripts/blender_import.py" | "scripts/blender_export.py" => ("bpy", false),
-        _ => ("numpy, pxr, tqdm", false),
+        _ => ("numpy, shapely, pxr, tqdm, jsonschema, PIL", false),
     }
 }
 

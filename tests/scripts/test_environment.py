@@ -3,9 +3,12 @@
 import shutil
 import subprocess
 import sys
+import tomllib
 
 import pytest
 from conftest import ROOT
+
+from roomwright import environment as environments
 
 TOOLS = ("validate.py", "convert.py")
 PICTURES = ("render.py", "gallery.py", "contact_sheet.py")
@@ -90,3 +93,21 @@ def test_a_module_goes_on_in_the_environment_that_is_set_up(project):
     done = subprocess.run([sys.executable, "-S", "-m", "roomwright.validate", "out"], cwd=project / "python", capture_output=True,
                           text=True, timeout=60)
     assert done.stdout == "-m roomwright.validate out\n"
+
+
+@pytest.mark.parametrize("module, environment", [("validate", environments.TOOLS), ("convert", environments.CONVERSION)])
+def test_a_command_asks_for_every_module_that_it_imports(module, environment):
+    absent = sorted({*environments.TOOLS.modules, "bpy", "mujoco", "ray", "yaml"} - set(environment.modules))
+    code = f"import sys; sys.modules.update(dict.fromkeys({absent})); import roomwright.{module}"
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT / "python", capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize("environment", [environments.TOOLS, environments.CONVERSION])
+def test_an_extra_installs_every_module_of_its_command(environment):
+    extras = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
+    wanted = extras[environment.extra]
+    wanted = [*wanted, *(extras["usd"] if "roomwright[usd]" in wanted else [])]
+    named = {"pxr": "usd-core", "PIL": "Pillow"}
+    missing = [module for module in environment.modules if not any(line.startswith(named.get(module, module) + ">") for line in wanted)]
+    assert missing == []

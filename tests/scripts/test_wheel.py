@@ -38,7 +38,7 @@ class Clean:
 
 def three_commands() -> list[str]:
     text = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
-    block = re.search(r"Three commands lead.*?\n\n((?:    .*\n)+)", text, re.DOTALL)
+    block = re.search(r"Three commands lead[^\n]*\n\n((?:    [^\n]*\n)+)", text)
     return [line.strip() for line in block[1].splitlines()]
 
 
