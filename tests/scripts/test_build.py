@@ -1,4 +1,4 @@
-"""The library is compiled once for users, tests, benches and examples alike."""
+"""The library is compiled once for users, tests, benches and examples alike, and its crate has what it is compiled from."""
 
 from __future__ import annotations
 
@@ -22,3 +22,11 @@ def test_development_dependencies_switch_on_no_feature_of_another():
 
 def test_benches_are_compiled_with_the_settings_of_releases():
     assert "bench" not in tomllib.loads((PROJECT / "Cargo.toml").read_text())["profile"]
+
+
+def test_the_crate_holds_what_the_program_is_built_from_and_no_more():
+    """Besides the four files that cargo adds. What a checkout holds beside its files (environments, modules of Node) stays out."""
+    command = ["cargo", "package", "--list", "--offline", "--allow-dirty"]
+    listed = subprocess.run(command, cwd=PROJECT, capture_output=True, text=True, check=True).stdout.splitlines()
+    assert {line.split("/")[0] for line in listed} - {".cargo_vcs_info.json", "Cargo.lock", "Cargo.toml", "Cargo.toml.orig"} == {
+        "ARCHITECTURE.md", "CHANGELOG.md", "LICENSE-APACHE", "LICENSE-MIT", "README.md", "build.rs", "configs", "src", "viewer"}
