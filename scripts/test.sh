@@ -145,6 +145,7 @@ web() {
 
 step "Python environment" set_up_python
 step "Khronos validator" set_up_validator
+step "mypy" checked .venv/bin/python -m mypy
 step "cargo fmt" checked cargo fmt --check
 step "cargo clippy" checked cargo clippy --all-targets --locked -- -D warnings
 step "cargo check (without the command)" checked cargo check --no-default-features --lib --locked
