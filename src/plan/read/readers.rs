@@ -42,12 +42,21 @@ use std::path::Path;
 
 use super::drawn::DrawnPiece;
 use super::reader::{ForeignFormat, ReadFormat};
-use super::{archilyse, ifc, imdf, outlines, sweet_home};
+use super::{archilyse, ifc, imdf, indoor, outlines, sweet_home};
 use crate::document::Faults;
 
-/// All formats but the native one, in the order in which they are asked.
+/// All formats but the native one, in the order in which they are asked: a map with rooms as well as outlines of buildings is a
+/// plan of the rooms.
 pub(crate) const FOREIGN_FORMATS: &[ForeignFormat] =
-    &[archilyse::FORMAT, imdf::FORMAT, ifc::FORMAT, sweet_home::FORMAT, outlines::FORMAT];
+    &[
+        archilyse::FORMAT,
+        imdf::FORMAT,
+        indoor::mlit::FORMAT,
+        ifc::FORMAT,
+        sweet_home::FORMAT,
+        indoor::sit::FORMAT,
+        outlines::FORMAT,
+    ];
 
 /// The formats of this program itself.
 const OWN_FORMATS: [ReadFormat; 2] = [

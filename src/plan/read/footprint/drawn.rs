@@ -2,6 +2,7 @@
 
 use super::facts::Facts;
 use crate::geometry::Point;
+pub(super) use crate::plan::read::rings::Rings;
 
 /// A map as its file draws it. All places are in the units of its reference system: x is the longitude or the way east.
 #[derive(Debug, Default)]
@@ -31,11 +32,4 @@ pub(super) struct Drawn {
     pub(super) areas: Vec<Rings>,
     /// What the file says of it.
     pub(super) facts: Facts,
-}
-
-/// The border of an area: an outer ring and holes, each perhaps closed, in any direction.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Rings {
-    pub(super) outer: Vec<Point>,
-    pub(super) holes: Vec<Vec<Point>>,
 }

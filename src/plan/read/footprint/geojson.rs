@@ -21,6 +21,7 @@ use super::properties::tags_of;
 use super::streets::is_street;
 use super::syntax::fault_of;
 use crate::document::{Faults, Source};
+use crate::plan::read::geojson::reference_system;
 
 /// Metres of a storey that OSM Buildings takes where it knows none: its heights are storeys times this, at least one.
 const OSM_BUILDINGS_STOREY: f64 = 4.0;
@@ -57,13 +58,6 @@ pub(super) fn read(path: &Path) -> Result<(Drawing, SiteNotes), Faults> {
         }
     }
     Ok(reading.finish())
-}
-
-/// The name of a reference system: the `crs` of files before RFC 7946.
-fn reference_system(crs: Option<&Value>) -> Option<String> {
-    let properties = crs?.get("properties")?;
-    let name = properties.get("name").and_then(Value::as_str).map(str::to_owned);
-    name.or_else(|| Some(format!("EPSG:{}", properties.get("code")?.as_u64()?)))
 }
 
 /// A file as far as it is read.

@@ -1,32 +1,24 @@
 //! OpenStreetMap: areas and multipolygons with `building` or `building:part`, doors, streets.
 //!
 //! ```text
-//! xml.rs ─┐
-//! pbf.rs ─┴─▶ elements (relations, then ways, then nodes) ─▶ selection.rs ─▶ areas.rs ─▶ Drawing
+//! ../osm/ ─▶ elements (relations, then ways, then nodes) ─▶ selection.rs ─▶ areas.rs ─▶ Drawing
 //! ```
 //!
 //! A file is gone through once for each kind, in the order in which they refer to each other, so that only the nodes that are
 //! needed are kept.
 
 mod areas;
-mod elements;
-mod pbf;
-mod rings;
 mod selection;
-mod wire;
-mod xml;
 
 use std::path::Path;
 
 use areas::drawing_of;
-use elements::Elements;
-use pbf::PbfFile;
 use selection::Selection;
-use xml::XmlFile;
 
 use super::drawn::Drawing;
 use super::notes::SiteNotes;
 use crate::document::Faults;
+use crate::plan::read::osm::{Elements, PbfFile, XmlFile};
 
 /// Reads the buildings of a file in XML.
 ///

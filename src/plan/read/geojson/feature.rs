@@ -4,6 +4,7 @@ use std::path::Path;
 
 use schemars::JsonSchema;
 use serde::Deserialize;
+use serde_json::Value;
 
 use crate::document::{Faults, Source};
 
@@ -33,6 +34,8 @@ pub(crate) type Position = Vec<f64>;
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(tag = "type")]
 pub(crate) enum Geometry {
+    /// A place.
+    Point { coordinates: Position },
     /// A line through places.
     LineString { coordinates: Vec<Position> },
     /// Outer ring, then holes.
@@ -61,4 +64,11 @@ where
     let source = Source::read(path)?;
     let collection: Collection<P> = source.parse()?;
     Ok(Table { source, features: collection.features })
+}
+
+/// The name of a reference system: the `crs` of files before RFC 7946.
+pub(crate) fn reference_system(crs: Option<&Value>) -> Option<String> {
+    let properties = crs?.get("properties")?;
+    let name = properties.get("name").and_then(Value::as_str).map(str::to_owned);
+    name.or_else(|| Some(format!("EPSG:{}", properties.get("code")?.as_u64()?)))
 }

@@ -9,12 +9,10 @@
 //!
 //! Each feature must have a text as `id`, and `properties` that are an object: others are faults.
 //!
-//! A fault of a feature goes to `table.source.fault(&["features".into(), index.into(), "properties".into()], ...)`. Points
-//! (`"type": "Point"`) are [`Geometry::Other`] so far, as no format that is read needs them; a reader that does adds
-//! the kind to the enum in `feature.rs` and to the two matches in `place.rs`.
+//! A fault of a feature goes to `table.source.fault(&["features".into(), index.into(), "properties".into()], ...)`.
 
 mod feature;
 mod place;
 
-pub(super) use feature::{Feature, Geometry, Table, read_table};
-pub(super) use place::{outlines, plane_of, points};
+pub(super) use feature::{Feature, Geometry, Position, Table, read_table, reference_system};
+pub(super) use place::{corners_of, outlines, plane_around, plane_of, points};

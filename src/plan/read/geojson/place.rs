@@ -3,27 +3,22 @@
 use super::feature::{Geometry, Position};
 use crate::geometry::{Bounds, Point};
 use crate::plan::limits::median;
+use crate::plan::read::rings::Rings;
 use crate::plan::units::LocalPlane;
 
 /// Degrees beyond which no building reaches: some 50 km, less towards the poles.
 const WIDEST_BUILDING: f64 = 0.5;
 
-/// An outline and its holes.
-pub(crate) struct Outline {
-    pub(crate) outer: Vec<Point>,
-    pub(crate) holes: Vec<Vec<Point>>,
-}
-
 /// The outlines of an area: one, or several where it has parts; none for what is no area.
-pub(crate) fn outlines(geometry: &Geometry, plane: &LocalPlane) -> Vec<Outline> {
+pub(in crate::plan::read) fn outlines(geometry: &Geometry, plane: &LocalPlane) -> Vec<Rings> {
     let outline = |rings: &Vec<Vec<Position>>| {
         let mut rings = rings.iter().map(|ring| points(ring, plane));
-        Outline { outer: rings.next().unwrap_or_default(), holes: rings.collect() }
+        Rings { outer: rings.next().unwrap_or_default(), holes: rings.collect() }
     };
     match geometry {
         Geometry::Polygon { coordinates } => vec![outline(coordinates)],
         Geometry::MultiPolygon { coordinates } => coordinates.iter().map(outline).collect(),
-        Geometry::LineString { .. } | Geometry::Other => Vec::new(),
+        Geometry::Point { .. } | Geometry::LineString { .. } | Geometry::Other => Vec::new(),
     }
 }
 
@@ -40,10 +35,14 @@ fn point(position: &[f64], plane: &LocalPlane) -> Point {
     }
 }
 
-/// The plane at the middle of the bounding box of some areas, or at the middle of most of their corners where one lies
-/// far off. `None` if there are none, or no degrees.
+/// The plane at the middle of some areas, as [`plane_around`].
 pub(crate) fn plane_of<'a>(geometries: impl Iterator<Item = &'a Geometry>) -> Option<LocalPlane> {
-    let corners: Vec<Point> = geometries.flat_map(corners).collect();
+    plane_around(&geometries.flat_map(corners_of).collect::<Vec<_>>())
+}
+
+/// The plane at the middle of the bounding box of corners in degrees, or at the middle of most of them where one lies far off.
+/// `None` if there are none, or no degrees.
+pub(crate) fn plane_around(corners: &[Point]) -> Option<LocalPlane> {
     let bounds = Bounds::around(corners.iter().copied());
     let middle = if bounds.size().max_element() > WIDEST_BUILDING {
         Point::new(median(corners.iter().map(|at| at.x)), median(corners.iter().map(|at| at.y)))
@@ -53,12 +52,12 @@ pub(crate) fn plane_of<'a>(geometries: impl Iterator<Item = &'a Geometry>) -> Op
     LocalPlane::at(middle.x, middle.y)
 }
 
-/// Longitudes and latitudes of an area.
-fn corners(geometry: &Geometry) -> Vec<Point> {
+/// The corners of an area, in the units of its file.
+pub(crate) fn corners_of(geometry: &Geometry) -> Vec<Point> {
     let rings: Vec<&Vec<Position>> = match geometry {
         Geometry::Polygon { coordinates } => coordinates.iter().collect(),
         Geometry::MultiPolygon { coordinates } => coordinates.iter().flatten().collect(),
-        Geometry::LineString { .. } | Geometry::Other => Vec::new(),
+        Geometry::Point { .. } | Geometry::LineString { .. } | Geometry::Other => Vec::new(),
     };
     let point = |position: &Position| match position[..] {
         [longitude, latitude, ..] => Some(Point::new(longitude, latitude)),

@@ -7,23 +7,12 @@ use super::{Archive, NAME};
 use crate::document::{FaultSeverity, Faults, PathStep};
 use crate::plan::read::foreign::{TypeOfWord, slug, unknown_words};
 use crate::plan::read::geojson::{Feature, Geometry, outlines, plane_of, points};
+use crate::plan::read::indoor::{STOREY_HEIGHT, Storey, opening_along};
 use crate::plan::read::reader::{DraftedBuilding, ReadBuildings, ReadResult};
 use crate::plan::units::LocalPlane;
 use crate::plan::{
-    BuildingDraft, GENERIC_ROOM_TYPE, LeafDraft, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace,
-    OutlineKind, RoomDraft, RoomWords,
+    BuildingDraft, GENERIC_ROOM_TYPE, LevelDraft, OpeningDraft, OpeningKind, RoomDraft, RoomWords,
 };
-
-/// Metres from floor to floor; the format never says, and public buildings are higher than flats.
-const STOREY_HEIGHT: f64 = 3.6;
-/// Metres of walls between rooms, half taken from each.
-const INTERIOR_THICKNESS: f64 = 0.1;
-/// Metres of walls to the open air.
-const EXTERIOR_THICKNESS: f64 = 0.4;
-/// Metres of a door's head.
-const DOOR_HEAD: f64 = 2.1;
-/// Metres of the widest door; wider openings have no leaf.
-const WIDEST_DOOR: f64 = 2.4;
 
 /// All buildings with levels, and warnings for unknown words and lost features.
 pub(super) fn buildings(archive: &Archive, words: &RoomWords) -> ReadResult {
@@ -132,18 +121,15 @@ impl<'a> Translation<'a> {
     fn level(&mut self, level: &Feature<LevelProperties>, id: String, plane: &LocalPlane) -> LevelDraft {
         let units = self.units.get(level.id.as_str()).cloned().unwrap_or_default();
         let rooms = units.into_iter().flat_map(|(index, unit)| self.rooms(index, unit, plane)).collect();
-        LevelDraft {
+        let storey = Storey {
             id,
             name: label(level.properties.name.as_ref()).unwrap_or_default(),
             elevation: f64::from(level.properties.ordinal) * STOREY_HEIGHT,
             height: STOREY_HEIGHT,
-            exterior_thickness: EXTERIOR_THICKNESS,
-            interior_thickness: INTERIOR_THICKNESS,
-            outlines: OutlineKind::Center,
             rooms,
             openings: self.openings(&level.id, plane),
-            ..LevelDraft::default()
-        }
+        };
+        storey.into()
     }
 
     fn rooms(&mut self, index: usize, unit: &Feature<UnitProperties>, plane: &LocalPlane) -> Vec<RoomDraft> {
@@ -182,24 +168,12 @@ impl<'a> Translation<'a> {
         let mine = self.openings.get(level).into_iter().flatten();
         mine.filter_map(|opening| {
             let Some(Geometry::LineString { coordinates }) = &opening.geometry else { return None };
-            let line = points(coordinates, plane);
-            let (first, last) = (*line.first()?, *line.last()?);
-            let width = first.distance(last);
-            Some(OpeningDraft {
-                id: opening.id.clone(),
-                kind: match door_kind(opening) {
-                    Some("open") if !self.is_open_preset => OpeningKind::Passage,
-                    _ if width > WIDEST_DOOR => OpeningKind::Passage,
-                    Some("sliding" | "movablepartition" | "shutter") => OpeningKind::SlidingDoor,
-                    _ => OpeningKind::Door,
-                },
-                place: OpeningPlace::Points { center: first.midpoint(last), along: Some(last - first) },
-                rooms: Vec::new(),
-                width,
-                bottom: 0.0,
-                top: DOOR_HEAD,
-                leaf: LeafDraft::Automatic,
-            })
+            let kind = match door_kind(opening) {
+                Some("open") if !self.is_open_preset => OpeningKind::Passage,
+                Some("sliding" | "movablepartition" | "shutter") => OpeningKind::SlidingDoor,
+                _ => OpeningKind::Door,
+            };
+            opening_along(&opening.id, kind, &points(coordinates, plane))
         })
         .collect()
     }

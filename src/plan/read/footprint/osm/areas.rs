@@ -2,16 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use super::rings::rings_of;
-use super::selection::{Multipolygon, Places, Selection, Way};
-use crate::geometry::{Bounds, Point};
-use crate::plan::assemble::BoxIndex;
+use super::selection::{Multipolygon, Selection, Way};
+use crate::geometry::Point;
 use crate::plan::read::footprint::drawn::{Drawing, Drawn, Rings};
 use crate::plan::read::footprint::facts::Facts;
 use crate::plan::read::footprint::notes::{Joined, SiteNotes};
+use crate::plan::read::osm::{INCOMPLETE, Places, areas_of};
 
-/// The reason for an element some of whose nodes or ways are beyond the edge of the extract.
-const INCOMPLETE: &str = "the file has not all of its corners";
 /// How often the nodes of all ways may be corners of multipolygons: a way bounds one or two.
 const MOST_SHARED: usize = 8;
 
@@ -32,7 +29,8 @@ pub(super) fn drawing_of(selection: Selection, notes: &mut SiteNotes) -> Drawing
         };
         corners_left = left;
         take_outline_facts(&name, &mut polygon, &mut ways, notes);
-        match areas_of(&polygon, &ways, &places) {
+        let nodes_of = |way: i64| ways.get(&way).map(|way| way.nodes.as_slice());
+        match areas_of([&polygon.outer, &polygon.inner], nodes_of, &places) {
             Ok(areas) => drawing.buildings.push(drawn(name, polygon.is_part, polygon.facts, areas, &parents)),
             Err(reason) => notes.leave_out(name, reason),
         }
@@ -85,49 +83,4 @@ fn take_outline_facts(
         polygon.facts = facts;
     }
     notes.duplicates.push(Joined { id: format!("w{outer}"), with: name.to_owned() });
-}
-
-/// The areas of a multipolygon: each outer ring with the inner rings that lie in it.
-fn areas_of(
-    polygon: &Multipolygon,
-    ways: &BTreeMap<i64, Way>,
-    places: &Places,
-) -> Result<Vec<Rings>, &'static str> {
-    let rings = |members: &[i64]| {
-        let nodes = members.iter().map(|id| Some((*id, ways.get(id)?.nodes.as_slice())));
-        let (rings, is_left_over) = rings_of(&nodes.collect::<Option<BTreeMap<_, _>>>().ok_or(INCOMPLETE)?);
-        if is_left_over {
-            return Err("its outline is open");
-        }
-        rings.iter().map(|ring| places.of(ring).ok_or(INCOMPLETE)).collect::<Result<Vec<_>, _>>()
-    };
-    let outer = rings(&polygon.outer)?;
-    if outer.is_empty() {
-        return Err("it has no outline");
-    }
-    // Without its courtyards, a building is better than none.
-    let inner = rings(&polygon.inner).unwrap_or_default();
-    let mut areas: Vec<Rings> = outer.into_iter().map(|outer| Rings { outer, holes: Vec::new() }).collect();
-    let boxes = areas.iter().map(|area| Bounds::around(area.outer.iter().copied()));
-    let index = BoxIndex::of(boxes.zip(0..));
-    for hole in inner {
-        let Some(&corner) = hole.first() else { continue };
-        let around = index.near(Bounds::around_point(corner, 0.0));
-        let holder = around.into_iter().find(|area: &usize| is_inside(&areas[*area].outer, &hole));
-        if let Some(holder) = holder {
-            areas[holder].holes.push(hole);
-        }
-    }
-    Ok(areas)
-}
-
-/// Whether the middle of the first edge of a hole lies in a ring: corners may be common to both.
-fn is_inside(ring: &[Point], hole: &[Point]) -> bool {
-    let place = hole[0].midpoint(hole[1 % hole.len()]);
-    let count = ring.len();
-    let crosses = |index: &usize| {
-        let (a, b) = (ring[*index], ring[(index + 1) % count]);
-        (a.y > place.y) != (b.y > place.y) && place.x < a.x + (place.y - a.y) / (b.y - a.y) * (b.x - a.x)
-    };
-    (0..count).filter(crosses).count() % 2 == 1
 }

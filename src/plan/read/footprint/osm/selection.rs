@@ -2,13 +2,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::elements::{Body, Element, ElementKind, Elements};
 use crate::document::Faults;
 use crate::geometry::Point;
-use crate::plan::read::footprint::facts::{Facts, Tags, facts_of};
+use crate::plan::read::footprint::facts::{Facts, TagValue, Tags, facts_of};
 use crate::plan::read::footprint::kind::{Kind, kind_of};
 use crate::plan::read::footprint::notes::SiteNotes;
 use crate::plan::read::footprint::streets::is_street;
+use crate::plan::read::osm::{Body, Element, ElementKind, Elements, Places};
 
 /// The elements that are read.
 #[derive(Debug, Default)]
@@ -42,21 +42,6 @@ pub(super) struct Way {
     pub(super) building: Option<(bool, Facts)>,
 }
 
-/// Places of nodes, by their sorted ids; NaN where the file lacks a node.
-#[derive(Debug, Default)]
-pub(super) struct Places {
-    ids: Vec<i64>,
-    places: Vec<Point>,
-}
-
-impl Places {
-    /// The places of some nodes, if all are there.
-    pub(super) fn of(&self, nodes: &[i64]) -> Option<Vec<Point>> {
-        let place = |node: &i64| self.ids.binary_search(node).ok().map(|index| self.places[index]);
-        nodes.iter().map(|node| place(node).filter(|place| !place.is_nan())).collect()
-    }
-}
-
 impl Selection {
     /// Selects from a file.
     pub(super) fn of(file: &dyn Elements, notes: &mut SiteNotes) -> Result<Self, Faults> {
@@ -68,9 +53,7 @@ impl Selection {
         file.each(ElementKind::Way, &mut |element| selection.add_way(element, &members, notes))?;
         let mut ids: Vec<i64> = selection.ways.values().flat_map(|way| &way.nodes).copied().collect();
         ids.extend(selection.streets.iter().flatten());
-        ids.sort_unstable();
-        ids.dedup();
-        selection.places = Places { places: vec![Point::NAN; ids.len()], ids };
+        selection.places = Places::of_nodes(ids);
         file.each(ElementKind::Node, &mut |element| selection.add_node(element, notes))?;
         Ok(selection)
     }
@@ -83,7 +66,7 @@ impl Selection {
         if !kind("multipolygon") || !is_marked(&element) {
             return;
         }
-        let Some((is_part, facts)) = building_of(&element.tags(), notes) else { return };
+        let Some((is_part, facts)) = building_of(&tags_of(&element), notes) else { return };
         let Body::Relation(members) = element.body else { return };
         let ways = |inner: bool| {
             let of_role =
@@ -116,7 +99,7 @@ impl Selection {
         if !is_marked && !members.contains(&element.id) && !element.has("highway") {
             return;
         }
-        let tags = element.tags();
+        let tags = tags_of(&element);
         let Body::Way(nodes) = element.body else { return };
         let building = if is_marked { building_of(&tags, notes) } else { None };
         if building.is_none() && is_street(&tags) {
@@ -129,9 +112,7 @@ impl Selection {
 
     fn add_node(&mut self, element: Element<'_>, notes: &mut SiteNotes) {
         let Body::Node(place) = element.body else { return };
-        if let Ok(index) = self.places.ids.binary_search(&element.id) {
-            self.places.places[index] = place;
-        }
+        self.places.note(element.id, place);
         if element.tags.iter().any(|(key, value)| key == "entrance" && value != "no") {
             self.entrances.push(place);
         }
@@ -139,6 +120,15 @@ impl Selection {
             notes.skip("points");
         }
     }
+}
+
+/// The tags of an element by key.
+fn tags_of(element: &Element<'_>) -> Tags {
+    let mut tags = Tags::default();
+    for (key, value) in &element.tags {
+        tags.add(key.as_ref(), TagValue::Text(value.clone().into_owned()));
+    }
+    tags
 }
 
 fn is_marked(element: &Element<'_>) -> bool {

@@ -11,7 +11,7 @@ use crate::document::{Fault, Faults, Source};
 use crate::geometry::Point;
 
 /// The text of a file.
-pub(super) struct XmlFile {
+pub(in crate::plan::read) struct XmlFile {
     source: Source,
 }
 
@@ -20,20 +20,8 @@ impl XmlFile {
     ///
     /// # Errors
     /// A file that cannot be read, or is no text.
-    pub(super) fn open(path: &Path) -> Result<Self, Faults> {
+    pub(in crate::plan::read) fn open(path: &Path) -> Result<Self, Faults> {
         Ok(Self { source: Source::read(path)? })
-    }
-
-    fn fault(&self, offset: u64, message: &str) -> Fault {
-        let text = self.source.text();
-        let mut offset = usize::try_from(offset).unwrap_or(usize::MAX).min(text.len());
-        while !text.is_char_boundary(offset) {
-            offset -= 1;
-        }
-        let before = &text[..offset];
-        let line = before.bytes().filter(|byte| *byte == b'\n').count() + 1;
-        let column = before.rsplit('\n').next().unwrap_or_default().chars().count() + 1;
-        self.source.fault_at(Some((line, column)), message)
     }
 }
 
@@ -43,13 +31,14 @@ impl Elements for XmlFile {
         let mut current: Option<Element<'_>> = None;
         let mut is_closed = false;
         loop {
+            let offset = reader.buffer_position();
             let event = reader.read_event().map_err(|error| {
                 Faults::from(self.fault(reader.error_position(), &format!("is no sound XML: {error}")))
             })?;
             match event {
-                Event::Start(start) => begin(&start, kind, &mut current),
+                Event::Start(start) => begin(&start, (kind, offset), &mut current),
                 Event::Empty(start) => {
-                    begin(&start, kind, &mut current);
+                    begin(&start, (kind, offset), &mut current);
                     if kind_of(start.name().as_ref()) == Some(kind) {
                         current.take().map(&mut *visit);
                     }
@@ -68,6 +57,18 @@ impl Elements for XmlFile {
         let end = self.source.text().len() as u64;
         Err(self.fault(end, "the file is cut off: its element \"osm\" has no end").into())
     }
+
+    fn fault(&self, offset: u64, message: &str) -> Fault {
+        let text = self.source.text();
+        let mut offset = usize::try_from(offset).unwrap_or(usize::MAX).min(text.len());
+        while !text.is_char_boundary(offset) {
+            offset -= 1;
+        }
+        let before = &text[..offset];
+        let line = before.bytes().filter(|byte| *byte == b'\n').count() + 1;
+        let column = before.rsplit('\n').next().unwrap_or_default().chars().count() + 1;
+        self.source.fault_at(Some((line, column)), message)
+    }
 }
 
 fn kind_of(name: &str) -> Option<ElementKind> {
@@ -80,11 +81,11 @@ fn kind_of(name: &str) -> Option<ElementKind> {
 }
 
 /// Begins an element of the kind, or adds to the current one.
-fn begin<'a>(start: &BytesStart<'a>, kind: ElementKind, current: &mut Option<Element<'a>>) {
+fn begin<'a>(start: &BytesStart<'a>, (kind, offset): (ElementKind, u64), current: &mut Option<Element<'a>>) {
     let name = start.name();
     match (name.as_ref(), current) {
         (name, current) if kind_of(name).is_some() => {
-            *current = if kind_of(name) == Some(kind) { element(start, kind) } else { None };
+            *current = if kind_of(name) == Some(kind) { element(start, kind, offset) } else { None };
         }
         ("tag", Some(element)) => {
             if let [Some(key), Some(value)] = values(start, ["k", "v"]) {
@@ -101,7 +102,7 @@ fn begin<'a>(start: &BytesStart<'a>, kind: ElementKind, current: &mut Option<Ele
 }
 
 /// The element without what stands in it; `None` of one that was deleted or has no id.
-fn element<'a>(start: &BytesStart<'a>, kind: ElementKind) -> Option<Element<'a>> {
+fn element<'a>(start: &BytesStart<'a>, kind: ElementKind, offset: u64) -> Option<Element<'a>> {
     let [id, latitude, longitude, visible, action] = values(start, ["id", "lat", "lon", "visible", "action"]);
     if visible.as_deref() == Some("false") || action.as_deref() == Some("delete") {
         return None;
@@ -113,7 +114,7 @@ fn element<'a>(start: &BytesStart<'a>, kind: ElementKind) -> Option<Element<'a>>
         ElementKind::Way => Body::Way(Vec::new()),
         ElementKind::Relation => Body::Relation(Vec::new()),
     };
-    Some(Element { id: id?.parse().ok()?, tags: Vec::new(), body })
+    Some(Element { id: id?.parse().ok()?, offset, tags: Vec::new(), body })
 }
 
 fn member<'a>(start: &BytesStart<'a>) -> Option<Member<'a>> {

@@ -2,32 +2,33 @@
 
 use std::borrow::Cow;
 
-use crate::document::Faults;
+use crate::document::{Fault, Faults};
 use crate::geometry::Point;
-use crate::plan::read::footprint::facts::{TagValue, Tags};
 
 /// A kind of element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum ElementKind {
+pub(in crate::plan::read) enum ElementKind {
     Node,
     Way,
     Relation,
 }
 
 /// Keys and values as they stand in the file.
-pub(super) type Pairs<'a> = Vec<(Cow<'a, str>, Cow<'a, str>)>;
+pub(in crate::plan::read) type Pairs<'a> = Vec<(Cow<'a, str>, Cow<'a, str>)>;
 
 /// An element of a file.
 #[derive(Debug)]
-pub(super) struct Element<'a> {
-    pub(super) id: i64,
-    pub(super) tags: Pairs<'a>,
-    pub(super) body: Body<'a>,
+pub(in crate::plan::read) struct Element<'a> {
+    pub(in crate::plan::read) id: i64,
+    /// Where it is in the file; the file's own measure, for [`Elements::fault`].
+    pub(in crate::plan::read) offset: u64,
+    pub(in crate::plan::read) tags: Pairs<'a>,
+    pub(in crate::plan::read) body: Body<'a>,
 }
 
 /// What an element has by its kind.
 #[derive(Debug)]
-pub(super) enum Body<'a> {
+pub(in crate::plan::read) enum Body<'a> {
     /// Longitude and latitude.
     Node(Point),
     /// Nodes along a line.
@@ -38,33 +39,27 @@ pub(super) enum Body<'a> {
 
 /// A member of a relation.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Member<'a> {
-    pub(super) kind: ElementKind,
-    pub(super) id: i64,
-    pub(super) role: Cow<'a, str>,
+pub(in crate::plan::read) struct Member<'a> {
+    pub(in crate::plan::read) kind: ElementKind,
+    pub(in crate::plan::read) id: i64,
+    pub(in crate::plan::read) role: Cow<'a, str>,
 }
 
 /// A file of elements.
-pub(super) trait Elements {
+pub(in crate::plan::read) trait Elements {
     /// Visits all elements of a kind, in the order of the file.
     ///
     /// # Errors
     /// Faults of the file.
     fn each(&self, kind: ElementKind, visit: &mut dyn FnMut(Element<'_>)) -> Result<(), Faults>;
+
+    /// A fault at the offset of an element, where the file has lines.
+    fn fault(&self, offset: u64, message: &str) -> Fault;
 }
 
 impl Element<'_> {
     /// Whether it has a key.
-    pub(super) fn has(&self, key: &str) -> bool {
+    pub(in crate::plan::read) fn has(&self, key: &str) -> bool {
         self.tags.iter().any(|(known, _)| known == key)
-    }
-
-    /// Its tags by key.
-    pub(super) fn tags(&self) -> Tags {
-        let mut tags = Tags::default();
-        for (key, value) in &self.tags {
-            tags.add(key.as_ref(), TagValue::Text(value.clone().into_owned()));
-        }
-        tags
     }
 }

@@ -29,7 +29,7 @@ const FEATURES: [&[u8]; 2] = [b"OsmSchema-V0.6", b"DenseNodes"];
 const DEGREE_PARTS: f64 = 1e9;
 
 /// The bytes of a file.
-pub(super) struct PbfFile {
+pub(in crate::plan::read) struct PbfFile {
     path: PathBuf,
     bytes: Vec<u8>,
 }
@@ -48,7 +48,7 @@ impl PbfFile {
     ///
     /// # Errors
     /// A file that cannot be read, or is too large.
-    pub(super) fn open(path: &Path) -> Result<Self, Faults> {
+    pub(in crate::plan::read) fn open(path: &Path) -> Result<Self, Faults> {
         let bytes =
             read_regular(path, FILE_SIZE_LIMIT).map_err(|error| Fault::of_file(path, error.to_string()))?;
         Ok(Self { path: path.to_owned(), bytes })
@@ -83,6 +83,10 @@ impl Elements for PbfFile {
     fn each(&self, kind: ElementKind, visit: &mut dyn FnMut(Element<'_>)) -> Result<(), Faults> {
         let fault = |Broken(reason)| Fault::of_file(&self.path, format!("cannot be read: {reason}")).into();
         self.each_block(kind, visit).map_err(fault)
+    }
+
+    fn fault(&self, _offset: u64, message: &str) -> Fault {
+        Fault::of_file(&self.path, message)
     }
 }
 
@@ -232,7 +236,7 @@ impl<'a> Block<'a> {
             ElementKind::Way => (id as i64, Body::Way(summed(first).collect())),
             ElementKind::Relation => (id as i64, Body::Relation(self.members(first, second, third))),
         };
-        Ok(Element { id, tags, body })
+        Ok(Element { id, offset: 0, tags, body })
     }
 
     fn members(&self, roles: Numbers<'_>, ids: Numbers<'_>, kinds: Numbers<'_>) -> Vec<Member<'a>> {
@@ -269,7 +273,7 @@ impl<'a> Block<'a> {
                 }
                 pairs.push((self.text(key), self.text(tags.next().unwrap_or_default())));
             }
-            visit(Element { id, tags: pairs, body: Body::Node(self.place(longitude, latitude)) });
+            visit(Element { id, offset: 0, tags: pairs, body: Body::Node(self.place(longitude, latitude)) });
         }
         Ok(())
     }

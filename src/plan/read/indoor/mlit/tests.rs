@@ -1,0 +1,41 @@
+//! Counts and guarantees on the shared station, and faults of broken files.
+
+use super::read;
+use crate::plan::assemble_level;
+use crate::plan::read::reader::ReadBuildings;
+use crate::plan::read::real_data::{folder, words};
+
+fn station() -> Option<ReadBuildings> {
+    let path = folder("mlit-indoor")?;
+    Some(read(&path, &words()).unwrap_or_else(|faults| panic!("{faults}")))
+}
+
+#[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
+fn the_shared_station_has_the_counts_of_its_source() {
+    let Some(read) = station() else { return };
+    println!("{}", read.faults);
+    assert!(!read.faults.has_errors());
+    let ids: Vec<&str> = read.buildings.iter().map(|building| building.id.as_str()).collect();
+    assert_eq!(ids, ["jrtokyosta"]);
+    assert!(read.origin.is_some());
+    let levels = &read.buildings[0].draft.levels;
+    let ids: Vec<(&str, f64)> = levels.iter().map(|level| (level.id.as_str(), level.elevation)).collect();
+    assert_eq!(ids, [("level_-1", -3.6), ("level_0", 0.0), ("level_1", 0.0)]);
+    let is_part = |id: &str| id.contains('.');
+    let rooms = levels.iter().flat_map(|level| &level.rooms).filter(|room| !is_part(&room.id));
+    assert_eq!(rooms.count(), 708);
+    let (mut rooms, mut attached, mut joined) = (0, 0, 0);
+    for draft in levels {
+        let (level, problems) = assemble_level(draft.clone());
+        for problem in problems {
+            println!("{}: {}", level.id, problem.message);
+        }
+        rooms += level.rooms.len();
+        attached += level.openings.len();
+        joined += level.openings.iter().filter(|opening| opening.sides.len() == 2).count();
+    }
+    println!("{rooms} rooms; {attached} of 624 openings attached, {joined} join two rooms");
+    assert!(rooms >= 708, "{rooms} rooms");
+    assert!(attached * 100 >= 95 * 624, "{attached} openings");
+}

@@ -1,0 +1,106 @@
+//! GeoJSON with the tags as properties: exports of Overpass, JOSM and osmtogeojson.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+use serde_json::Value;
+
+use super::mapped::{Mapped, Shape, Tags, is_wanted};
+use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source};
+use crate::geometry::Point;
+use crate::plan::read::geojson::{Geometry, Position};
+use crate::plan::read::rings::Rings;
+
+#[derive(Debug, Deserialize, JsonSchema)]
+struct Collection {
+    features: Vec<Feature>,
+}
+
+/// A feature. Programs write the id as a text, as a number or among the properties.
+#[derive(Debug, Deserialize, JsonSchema)]
+struct Feature {
+    id: Option<Value>,
+    geometry: Option<Geometry>,
+    properties: Option<BTreeMap<String, Value>>,
+}
+
+/// Reads a file: its text, and the elements that plans are made of.
+///
+/// # Errors
+/// All faults of the file, each at its place.
+pub(super) fn read(path: &Path) -> Result<(Source, Vec<Mapped>), Faults> {
+    let source = Source::read(path)?;
+    let collection: Collection = source.parse()?;
+    let mapped =
+        collection.features.into_iter().zip(0..).filter_map(|(feature, index)| mapped(feature, index)).collect();
+    Ok((source, mapped))
+}
+
+/// A fault of a feature, by its index.
+pub(super) fn fault_of(source: &Source, place: u64, message: &str) -> Fault {
+    let index = usize::try_from(place).unwrap_or_default();
+    let path = [PathStep::from("features"), index.into(), "properties".into()];
+    source.fault(&path, message.to_owned(), None, FaultSeverity::Error)
+}
+
+fn mapped(feature: Feature, place: u64) -> Option<Mapped> {
+    let properties = feature.properties?;
+    if !properties.keys().any(|key| is_wanted(key)) {
+        return None;
+    }
+    let id = id_of(feature.id.as_ref(), &properties).unwrap_or_else(|| format!("f{place}"));
+    let shape = match feature.geometry? {
+        Geometry::Point { coordinates } => Shape::Point(point(&coordinates)),
+        Geometry::LineString { coordinates } => Shape::Line(line(&coordinates)),
+        Geometry::Polygon { coordinates } => Shape::Areas(vec![rings(&coordinates)]),
+        Geometry::MultiPolygon { coordinates } => {
+            Shape::Areas(coordinates.iter().map(|polygon| rings(polygon)).collect())
+        }
+        Geometry::Other => return None,
+    };
+    let tags: Tags = properties.into_iter().filter_map(|(key, value)| Some((key, text_of(&value)?))).collect();
+    Some(Mapped { id, place, tags, shape })
+}
+
+fn text_of(value: &Value) -> Option<String> {
+    match value {
+        Value::String(text) => Some(text.clone()),
+        Value::Number(number) => Some(number.to_string()),
+        Value::Bool(is_so) => Some(if *is_so { "yes" } else { "no" }.to_owned()),
+        _ => None,
+    }
+}
+
+/// `way/123` as `w123`; other ids in letters that ids of rooms may have.
+fn id_of(id: Option<&Value>, properties: &BTreeMap<String, Value>) -> Option<String> {
+    let keys = ["@id", "id"].map(|key| properties.get(key));
+    let words = [id].into_iter().chain(keys).flatten().find_map(text_of)?;
+    for (long, short) in [("way/", "w"), ("relation/", "r"), ("node/", "n")] {
+        let number = words.strip_prefix(long).and_then(|number| number.parse::<i64>().ok());
+        if let Some(number) = number {
+            return Some(format!("{short}{number}"));
+        }
+    }
+    let is_fit = |letter: char| letter.is_ascii_alphanumeric() || matches!(letter, '-' | '_');
+    let id: String = words.chars().take(64).map(|letter| if is_fit(letter) { letter } else { '_' }).collect();
+    (!id.is_empty()).then_some(id)
+}
+
+fn rings(lines: &[Vec<Position>]) -> Rings {
+    let mut lines = lines.iter().map(|positions| line(positions));
+    Rings { outer: lines.next().unwrap_or_default(), holes: lines.collect() }
+}
+
+fn line(positions: &[Position]) -> Vec<Point> {
+    positions.iter().map(|position| point(position)).collect()
+}
+
+/// A place without two numbers is nowhere; its element is left out.
+fn point(position: &[f64]) -> Point {
+    match position {
+        [longitude, latitude, ..] => Point::new(*longitude, *latitude),
+        _ => Point::NAN,
+    }
+}
