@@ -34,7 +34,9 @@ pub const TARGETS: &[(&str, Target)] = &[
     ("geojson", plan_geojson),
     ("ifc", read_ifc),
     ("imdf", read_bundle_of_plans),
+    ("indoor", read_indoor),
     ("manifest", join_records),
+    ("mlit", read_bundle_of_plans),
     ("model", read_model),
     ("osm", plan_osm),
     ("pbf", plan_pbf),
@@ -112,6 +114,12 @@ fn read_files(files: &[(&str, &[u8])], below: &str) -> bool {
     let reading = read_plans(&[input], &PlanOptions::new(&CATALOG.room_words));
     check_faults(&reading.faults);
     !reading.plan.buildings.is_empty()
+}
+
+/// A map of rooms; its encoding shows in what is in it.
+fn read_indoor(data: &[u8]) -> bool {
+    let is_json = data.trim_ascii_start().starts_with(b"{");
+    read_files(&[(if is_json { "map.geojson" } else { "map.osm" }, data)], "")
 }
 
 fn plan_geojson(data: &[u8]) -> bool {

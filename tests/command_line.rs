@@ -19,6 +19,7 @@ mod command_line {
     mod guide;
     mod handbook;
     mod hostile_words;
+    mod indoor;
     mod init;
     mod level_lists;
     mod looks;

@@ -24,9 +24,7 @@ fn real_files_of_other_formats_are_refused_by_name() {
         return println!("skipped: {} is absent", data.display());
     }
     for (file, name) in [
-        ("floorplans/osm-indoor/apb.geojson", "GeoJSON of OpenStreetMap indoor tags"),
-        ("floorplans/osm-indoor/APBorig.osm", "OpenStreetMap XML"),
-        ("floorplans/mlit-indoor/JRTokyoSta_1_Space.geojson", "GeoJSON of the Japanese indoor map"),
+        ("floorplans/mlit-indoor/JRTokyoSta_1_Space.geojson", "a file of a Japanese indoor map"),
         ("floorplans/dragonfly/model_complete_simple.dfjson", "a dragonfly model"),
         ("floorplans/dragonfly/model_with_doors_skylights.dfjson", "a dragonfly model"),
         ("floorplans/honeybee/single_family_home.hbjson", "a honeybee model"),

@@ -47,16 +47,15 @@ use crate::document::Faults;
 
 /// All formats but the native one, in the order in which they are asked: a map with rooms as well as outlines of buildings is a
 /// plan of the rooms.
-pub(crate) const FOREIGN_FORMATS: &[ForeignFormat] =
-    &[
-        archilyse::FORMAT,
-        imdf::FORMAT,
-        indoor::mlit::FORMAT,
-        ifc::FORMAT,
-        sweet_home::FORMAT,
-        indoor::sit::FORMAT,
-        outlines::FORMAT,
-    ];
+pub(crate) const FOREIGN_FORMATS: &[ForeignFormat] = &[
+    archilyse::FORMAT,
+    imdf::FORMAT,
+    indoor::mlit::FORMAT,
+    ifc::FORMAT,
+    sweet_home::FORMAT,
+    indoor::sit::FORMAT,
+    outlines::FORMAT,
+];
 
 /// The formats of this program itself.
 const OWN_FORMATS: [ReadFormat; 2] = [

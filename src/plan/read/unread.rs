@@ -79,14 +79,9 @@ pub(crate) const UNREAD_KINDS: &[UnreadKind] = &[
         "name the folder in which it lies",
     ),
     kind(
-        "GeoJSON of the Japanese indoor map (MLIT)",
+        "a file of a Japanese indoor map",
         |file| file.is_geojson() && file.text.contains("\"floor_id\""),
-        OTHER_PLANS,
-    ),
-    kind(
-        "GeoJSON of OpenStreetMap indoor tags",
-        |file| file.is_geojson() && file.text.contains("\"indoor\""),
-        OTHER_PLANS,
+        "name the folder in which it lies, with the files _Floor and _Space of each storey",
     ),
     kind("GeoJSON", Sample::is_geojson, OTHER_PLANS),
     kind(

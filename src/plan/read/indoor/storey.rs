@@ -1,9 +1,7 @@
 //! Drafts of levels as indoor maps draw them. None of these formats says how thick walls are or how high doors.
 
 use crate::geometry::Point;
-use crate::plan::{
-    LeafDraft, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, OutlineKind, RoomDraft,
-};
+use crate::plan::{LeafDraft, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, OutlineKind, RoomDraft};
 
 /// Metres from floor to floor where a map does not say: public buildings are higher than flats.
 pub(in crate::plan::read) const STOREY_HEIGHT: f64 = 3.6;
@@ -49,7 +47,11 @@ impl From<Storey> for LevelDraft {
 }
 
 /// An opening in the wall that a line runs along, from end to end; wide ones have no leaf. `None` of a line without two ends.
-pub(in crate::plan::read) fn opening_along(id: &str, kind: OpeningKind, line: &[Point]) -> Option<OpeningDraft> {
+pub(in crate::plan::read) fn opening_along(
+    id: &str,
+    kind: OpeningKind,
+    line: &[Point],
+) -> Option<OpeningDraft> {
     let (first, last) = (*line.first()?, *line.last()?);
     let width = first.distance(last);
     let place = OpeningPlace::Points { center: first.midpoint(last), along: Some(last - first) };

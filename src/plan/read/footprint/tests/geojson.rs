@@ -176,7 +176,6 @@ fn maps_of_rooms_are_no_maps_of_footprints() {
     let cases = [
         (square("", r#"{"building": "yes"}"#, (5.0, 52.0), SIDE), true),
         (square("", r#"{"building": "yes", "indoor": "yes"}"#, (5.0, 52.0), SIDE), true),
-        (square("", r#"{"indoor": "room"}"#, (5.0, 52.0), SIDE), false),
         (square(r#""feature_type": "unit", "#, "{}", (5.0, 52.0), SIDE), false),
         (square("", r#"{"floor_id": 3}"#, (5.0, 52.0), SIDE), false),
     ];

@@ -203,9 +203,9 @@ fn broken_files_in_xml_are_faults() {
 }
 
 #[test]
-fn maps_of_rooms_in_xml_are_no_maps_of_footprints() {
-    let rooms = way(1, &[1, 2, 3, 4, 1], &[("indoor", "room")]);
-    assert!(read("a.osm", osm(&rooms)).unwrap_err().to_string().contains("is no map of building footprints"));
+fn rooms_are_no_footprints() {
+    let rooms = way(1, &[1, 2, 3, 4, 1], &[("indoor", "room"), ("building", "yes")]);
+    assert!(read("a.osm", osm(&rooms)).unwrap_err().to_string().contains("holds no building"));
 }
 
 /// Protocol buffers, as the format has them.

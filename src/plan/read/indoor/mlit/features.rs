@@ -91,7 +91,8 @@ fn read_storey(stem: &Path) -> Result<StoreyFiles, Faults> {
     let openings = file(stem, "_Opening.geojson");
     let openings = if openings.exists() { read_table(&openings).map(Some) } else { Ok(None) };
     let floors = read_table(&file(stem, "_Floor.geojson"));
-    let ((floors, spaces), openings) = both(both(floors, read_table(&file(stem, "_Space.geojson"))), openings)?;
+    let ((floors, spaces), openings) =
+        both(both(floors, read_table(&file(stem, "_Space.geojson"))), openings)?;
     // Faults of what is not read are nobody's loss.
     let fixtures = read_table::<AnyProperties>(&file(stem, "_Fixture.geojson"));
     let fixture_count = fixtures.map_or(0, |table| table.features.len());

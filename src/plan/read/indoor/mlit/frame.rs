@@ -34,7 +34,10 @@ impl Frame {
                 Some(Projection::Metres(_)) => false,
                 _ => {
                     let message = format!("the reference system \"{name}\" is not read");
-                    return Err((message, "convert the map to EPSG:6668 (degrees) or to the plane of its region".into()));
+                    return Err((
+                        message,
+                        "convert the map to EPSG:6668 (degrees) or to the plane of its region".into(),
+                    ));
                 }
             },
         };
@@ -81,7 +84,10 @@ mod tests {
     fn metres_are_never_taken_for_degrees() {
         let corners = [Point::new(-6240.5, -35360.0), Point::new(-6230.5, -35350.0)];
         let frame = Frame::of(Some("urn:ogc:def:crs:EPSG::6677"), &corners).unwrap();
-        assert_eq!(frame.point(&vec![-6235.0, -35354.0, 1.0]) - frame.point(&vec![-6236.0, -35354.0]), Point::X);
+        assert_eq!(
+            frame.point(&vec![-6235.0, -35354.0, 1.0]) - frame.point(&vec![-6236.0, -35354.0]),
+            Point::X
+        );
         assert!(frame.origin().is_some());
         let (message, _) = Frame::of(None, &corners).unwrap_err();
         assert!(message.contains("no degrees"), "{message}");

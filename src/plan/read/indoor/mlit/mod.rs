@@ -45,8 +45,8 @@ fn read(path: &Path, words: &RoomWords) -> ReadResult {
     let mut buildings = Vec::new();
     let mut origins = Vec::new();
     for (id, storeys) in files::buildings(path) {
-        let read = features::read_storeys(&storeys)
-            .and_then(|storeys| translate::building(&id, &storeys, words));
+        let read =
+            features::read_storeys(&storeys).and_then(|storeys| translate::building(&id, &storeys, words));
         match read {
             Ok((building, origin, warnings)) => {
                 buildings.push(building);

@@ -30,8 +30,13 @@ pub(super) fn building(
     words: &RoomWords,
 ) -> Result<(DraftedBuilding, Option<SiteOrigin>, Faults), Faults> {
     let frame = frame_of(storeys)?;
-    let mut translation =
-        Translation { frame, words, levels: BTreeMap::new(), unknown: BTreeMap::new(), faults: Faults::default() };
+    let mut translation = Translation {
+        frame,
+        words,
+        levels: BTreeMap::new(),
+        unknown: BTreeMap::new(),
+        faults: Faults::default(),
+    };
     for (number, storey) in storeys.iter().enumerate() {
         translation.add_storey(number, storey);
     }
@@ -61,7 +66,8 @@ fn frame_of(storeys: &[StoreyFiles]) -> Result<Frame, Faults> {
     let geometries = storeys.iter().flat_map(|storey| &storey.spaces.features);
     let geometries = geometries.filter_map(|space| space.geometry.as_ref());
     let corners: Vec<Point> = geometries.flat_map(corners_of).collect();
-    let (system, source) = systems.iter().next_back().map_or((None, None), |(system, source)| (*system, Some(*source)));
+    let (system, source) =
+        systems.iter().next_back().map_or((None, None), |(system, source)| (*system, Some(*source)));
     let found = match systems.len() {
         0 | 1 => Frame::of(system, &corners),
         _ => {
@@ -71,7 +77,9 @@ fn frame_of(storeys: &[StoreyFiles]) -> Result<Frame, Faults> {
         }
     };
     found.map_err(|(message, hint)| match source {
-        Some(source) => Faults::from(source.fault(&["crs".into()], message, Some(hint), FaultSeverity::Error)),
+        Some(source) => {
+            Faults::from(source.fault(&["crs".into()], message, Some(hint), FaultSeverity::Error))
+        }
         None => Faults::default(),
     })
 }
@@ -210,7 +218,12 @@ impl Translation<'_> {
         let Some(storey) = storeys.iter().find(|storey| storey.fixture_count > 0) else { return };
         let message = format!("{count} fixtures are not read");
         let hint = Some("they were left out: the map says no more of them than a code".to_owned());
-        self.faults.push(storey.floors.source.fault(&["features".into()], message, hint, FaultSeverity::Warning));
+        self.faults.push(storey.floors.source.fault(
+            &["features".into()],
+            message,
+            hint,
+            FaultSeverity::Warning,
+        ));
     }
 
     fn report_unknown_words(&mut self, storeys: &[StoreyFiles]) {

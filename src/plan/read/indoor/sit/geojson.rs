@@ -33,8 +33,12 @@ struct Feature {
 pub(super) fn read(path: &Path) -> Result<(Source, Vec<Mapped>), Faults> {
     let source = Source::read(path)?;
     let collection: Collection = source.parse()?;
-    let mapped =
-        collection.features.into_iter().zip(0..).filter_map(|(feature, index)| mapped(feature, index)).collect();
+    let mapped = collection
+        .features
+        .into_iter()
+        .zip(0..)
+        .filter_map(|(feature, index)| mapped(feature, index))
+        .collect();
     Ok((source, mapped))
 }
 
@@ -60,7 +64,8 @@ fn mapped(feature: Feature, place: u64) -> Option<Mapped> {
         }
         Geometry::Other => return None,
     };
-    let tags: Tags = properties.into_iter().filter_map(|(key, value)| Some((key, text_of(&value)?))).collect();
+    let tags: Tags =
+        properties.into_iter().filter_map(|(key, value)| Some((key, text_of(&value)?))).collect();
     Some(Mapped { id, place, tags, shape })
 }
 

@@ -51,7 +51,12 @@ pub(super) fn houses<'a>(sorted: &'a Sorted, plane: &LocalPlane, own_id: &str) -
             let outline = sorted.outlines.get(house).map(|(outline, _)| outline);
             let around = spaces.iter().map(|&space| middles[space]).reduce(Bounds::union);
             let position = around.map_or(Point::ZERO, |bounds| bounds.center().round());
-            House { id: id_of(outline, own_id, &mut taken), outline, spaces, position: position + Point::ZERO }
+            House {
+                id: id_of(outline, own_id, &mut taken),
+                outline,
+                spaces,
+                position: position + Point::ZERO,
+            }
         })
         .collect()
 }
@@ -62,7 +67,9 @@ fn holder(place: Point, rings: &[(usize, Vec<Point>)], index: &BoxIndex<usize>) 
     let inside = inside.filter(|&ring| holds(&rings[ring].1, place)).map(|ring| rings[ring].0).min();
     inside.or_else(|| {
         let near = index.near(Bounds::around_point(place, REACH)).into_iter();
-        let distance = |ring: usize| rings[ring].1.iter().map(|corner| corner.distance(place)).fold(f64::INFINITY, f64::min);
+        let distance = |ring: usize| {
+            rings[ring].1.iter().map(|corner| corner.distance(place)).fold(f64::INFINITY, f64::min)
+        };
         let nearest = near.map(|ring| (distance(ring), rings[ring].0));
         nearest.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))).map(|(_, house)| house)
     })

@@ -28,9 +28,12 @@ impl LevelNumber {
 pub(super) fn levels_of(words: &str) -> Result<Vec<LevelNumber>, String> {
     let mut levels = Vec::new();
     // A bound for texts of separators alone.
-    for part in words.split([';', ',']).map(str::trim).filter(|part| !part.is_empty()).take(2 * PARTS as usize) {
-        let (first, last) = range_of(part)
-            .ok_or_else(|| format!("level \"{}\" is neither a number nor a range of numbers", shortened(part)))?;
+    for part in
+        words.split([';', ',']).map(str::trim).filter(|part| !part.is_empty()).take(2 * PARTS as usize)
+    {
+        let (first, last) = range_of(part).ok_or_else(|| {
+            format!("level \"{}\" is neither a number nor a range of numbers", shortened(part))
+        })?;
         let (low, high) = (first.min(last), first.max(last));
         levels.extend((low..=high).step_by(PARTS as usize).map(LevelNumber));
         levels.push(LevelNumber(high));
@@ -58,7 +61,8 @@ fn range_of(part: &str) -> Option<(i32, i32)> {
 fn number_of(text: &str) -> Option<i32> {
     let text = text.trim();
     let is_number = text.chars().all(|letter| letter.is_ascii_digit() || matches!(letter, '.' | '-' | '+'));
-    let number = text.parse::<f64>().ok().filter(|number| is_number && number.abs() <= f64::from(FARTHEST))?;
+    let number =
+        text.parse::<f64>().ok().filter(|number| is_number && number.abs() <= f64::from(FARTHEST))?;
     Some((number * f64::from(PARTS)).round() as i32)
 }
 
@@ -87,7 +91,8 @@ mod tests {
 
     #[test]
     fn other_words_are_no_levels() {
-        for words in ["", ";", "ground", "1-", "-", "--1", "1-2-3", "1e9", "nan", "inf", "301", "0-100000000"] {
+        for words in ["", ";", "ground", "1-", "-", "--1", "1-2-3", "1e9", "nan", "inf", "301", "0-100000000"]
+        {
             assert!(levels_of(words).is_err(), "{words}");
         }
         assert!(levels_of(&"x".repeat(1_000_000)).unwrap_err().len() < 200);

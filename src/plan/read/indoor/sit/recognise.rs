@@ -32,14 +32,16 @@ pub(super) fn recognises(path: &Path) -> Option<SitFormat> {
     }
     if sample.is_xml("osm") {
         let text = String::from_utf8_lossy(&head(path, TEXT_SIZE)).replace('\'', "\"");
-        return is_of_rooms(counts(&text, ["k=\"indoor\"", "k=\"building\""], "v=")).then_some(SitFormat::Xml);
+        return is_of_rooms(counts(&text, ["k=\"indoor\"", "k=\"building\""], "v="))
+            .then_some(SitFormat::Xml);
     }
     if !sample.text.starts_with('{') || !(sample.is_geojson()) {
         return None;
     }
     let text = String::from_utf8_lossy(&head(path, TEXT_SIZE)).into_owned();
     let is_other = ["\"feature_type\"", "\"floor_id\""].iter().any(|key| sample.text.contains(key));
-    (!is_other && is_of_rooms(counts(&text, ["\"indoor\"", "\"building\""], ":"))).then_some(SitFormat::GeoJson)
+    (!is_other && is_of_rooms(counts(&text, ["\"indoor\"", "\"building\""], ":")))
+        .then_some(SitFormat::GeoJson)
 }
 
 /// Whether a file with some rooms and buildings is a map of rooms.
@@ -64,7 +66,8 @@ fn has_rooms_in_pbf(path: &Path) -> bool {
     let mut counts = (0, 0);
     let mut count = |element: Element<'_>| {
         let mut tags = element.tags.iter();
-        counts.0 += usize::from(tags.any(|(key, value)| key == "indoor" && SPACE_WORDS.contains(&value.as_ref())));
+        counts.0 +=
+            usize::from(tags.any(|(key, value)| key == "indoor" && SPACE_WORDS.contains(&value.as_ref())));
         counts.1 += usize::from(element.has("building"));
     };
     // A damaged file is reported by the reader that takes it.

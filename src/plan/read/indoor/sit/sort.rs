@@ -130,7 +130,8 @@ impl Sorted {
             let rest = left.checked_sub(corners);
             left = rest.unwrap_or(left);
             if rest.is_none() {
-                let message = format!("{} is on {} levels, too many for this map", space.mapped.id, space.levels.len());
+                let message =
+                    format!("{} is on {} levels, too many for this map", space.mapped.id, space.levels.len());
                 remarks.leave_out(space.mapped.place, message);
             }
             rest.is_some()
@@ -189,5 +190,9 @@ fn report_passed_over(passed_over: &BTreeMap<String, usize>, place: u64, remarks
     let others: usize = passed_over.values().skip(MOST).sum();
     parts.extend((others > 0).then(|| format!("{others} × other words")));
     let message = format!("elements that are no rooms: {}", parts.join(", "));
-    remarks.note(place, message, "they were left out: furniture, pillars and walls have no size in these maps");
+    remarks.note(
+        place,
+        message,
+        "they were left out: furniture, pillars and walls have no size in these maps",
+    );
 }

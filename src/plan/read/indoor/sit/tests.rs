@@ -57,7 +57,10 @@ fn the_shared_faculty_has_the_counts_of_its_source() {
         drawn_count += drawn;
         placed_count += level.openings.len();
     }
-    println!("{} of 502 doors join two rooms; {placed_count} of {drawn_count} openings attached", joined.len());
+    println!(
+        "{} of 502 doors join two rooms; {placed_count} of {drawn_count} openings attached",
+        joined.len()
+    );
     assert!(joined.len() >= 465, "{} doors join two rooms", joined.len());
     assert!(placed_count * 100 >= 99 * drawn_count, "{placed_count} of {drawn_count} openings");
 }
@@ -67,8 +70,7 @@ fn the_shared_faculty_has_the_counts_of_its_source() {
 fn the_shared_station_is_read_although_it_has_no_doors() {
     let Some(read) = faculty("gare-de-l-est.geojson") else { return };
     assert!(!read.faults.has_errors(), "{}", read.faults);
-    let ids: Vec<(&str, usize)> =
-        levels(&read).map(|level| (level.id.as_str(), level.rooms.len())).collect();
+    let ids: Vec<(&str, usize)> = levels(&read).map(|level| (level.id.as_str(), level.rooms.len())).collect();
     assert_eq!(ids.iter().map(|(_, rooms)| rooms).sum::<usize>(), 116, "{ids:?}");
 }
 
@@ -96,7 +98,7 @@ fn doors_join_rooms_and_lifts_are_on_all_of_their_levels() {
     assert_eq!(counts, [("level_0", 3, 2), ("level_1", 1, 0)]);
     assert_eq!(read.buildings[0].id, "flat");
     let (level, problems) = assemble_level(read.buildings[0].draft.levels[0].clone());
-    assert!(problems.is_empty(), "{problems:?}");
+    assert!(!problems.iter().any(|problem| problem.is_error), "{problems:?}");
     let joined: Vec<(usize, f64)> =
         level.openings.iter().map(|opening| (opening.sides.len(), opening.width)).collect();
     assert!(joined.iter().any(|(sides, width)| *sides == 2 && (width - 0.9).abs() < 1e-6), "{joined:?}");
@@ -122,9 +124,12 @@ fn faults_of_a_map_name_their_lines() {
         format!("flat.osm:{}:", FLAT[..at].matches('\n').count() + 1)
     };
     let level = told("k=\"level\" v=\"0-1\"", "k=\"level\" v=\"top\"");
-    assert!(level.contains("level \"top\" is neither a number") && level.contains(&line("<way id=\"103\"")), "{level}");
-    let open = told("<nd ref=\"6\"/><nd ref=\"1\"/></way><!-- kitchen -->", "<nd ref=\"6\"/></way>");
-    assert!(open.is_empty() || open.contains("without a closed outline"), "{open}");
+    assert!(
+        level.contains("level \"top\" is neither a number") && level.contains(&line("<way id=\"103\"")),
+        "{level}"
+    );
+    let open = told("<nd ref=\"11\"/><nd ref=\"1\"/>", "<nd ref=\"11\"/>");
+    assert!(open.contains("w101 is a room without a closed outline"), "{open}");
     let word = told("v=\"kitchen\"", "v=\"gizmo\"");
     assert!(word.contains("unknown room word \"gizmo\"") && word.contains("formats.osm"), "{word}");
     let missing = told("<node id=\"4\"", "<node id=\"44\"");

@@ -41,7 +41,8 @@ pub(super) fn buildings(
     fault: &dyn Fn(u64, &str) -> Fault,
 ) -> ReadResult {
     let sorted = sorted(mapped, &mut remarks);
-    let all: Vec<Point> = sorted.spaces.iter().flat_map(|space| space.areas.iter().flat_map(corners)).collect();
+    let all: Vec<Point> =
+        sorted.spaces.iter().flat_map(|space| space.areas.iter().flat_map(corners)).collect();
     let Some(plane) = plane_around(&all) else {
         let mut faults = remarks.into_faults(fault);
         let message = "the file has no room that is anywhere on Earth";
@@ -115,7 +116,8 @@ impl Translation<'_> {
         let space = &self.sorted.spaces[number];
         let TypeOfWord { room_type, unknown_word } = self.room_type(space);
         let name = space.mapped.tag("name").or(space.mapped.tag("ref")).map(str::to_owned);
-        let moved = |ring: &Vec<Point>| -> Vec<Point> { ring.iter().map(|corner| *corner - origin).collect() };
+        let moved =
+            |ring: &Vec<Point>| -> Vec<Point> { ring.iter().map(|corner| *corner - origin).collect() };
         let room = |(part, area): (usize, &Rings)| {
             let own = &space.mapped.id;
             let id = if part == 0 { own.clone() } else { format!("{own}.{}", part + 1) };
@@ -226,7 +228,9 @@ impl Translation<'_> {
 fn words_of(mapped: &Mapped) -> Vec<&str> {
     let mut words: Vec<&str> = ["room", "amenity"].into_iter().filter_map(|key| mapped.tag(key)).collect();
     // The kinds of shops and offices are without number; all of them are shops and offices.
-    words.extend(["shop", "office"].into_iter().filter(|key| mapped.tag(key).is_some_and(|word| word != "no")));
+    words.extend(
+        ["shop", "office"].into_iter().filter(|key| mapped.tag(key).is_some_and(|word| word != "no")),
+    );
     words.extend(mapped.tag("stairs").filter(|word| *word != "no").map(|_| "stairs"));
     words.extend(mapped.tag("highway").filter(|word| *word == "elevator"));
     words.extend(mapped.tag("indoor"));

@@ -94,7 +94,8 @@ fn wall_near(at: Point, area: &Rings) -> Option<(Point, Point)> {
         let ends = ring.iter().cycle().skip(1);
         ring.iter().copied().zip(ends.copied())
     });
-    let near = edges.filter(|(start, end)| place_on(at, *start, *end).0 <= BESIDE && start.distance(*end) > BESIDE);
+    let near =
+        edges.filter(|(start, end)| place_on(at, *start, *end).0 <= BESIDE && start.distance(*end) > BESIDE);
     near.max_by(|a, b| a.0.distance(a.1).total_cmp(&b.0.distance(b.1)))
 }
 
@@ -132,9 +133,13 @@ mod tests {
         let room = Rings { outer: ring(&[(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)]), holes: vec![] };
         let fit = fitted(Point::new(0.2, 0.0), 1.0, [&room].into_iter()).unwrap();
         assert!(fit.center.distance(Point::new(0.6, 0.0)) < 1e-9 && fit.width == 1.0, "{fit:?}");
-        let narrow = Rings { outer: ring(&[(0.0, 0.0), (0.9, 0.0), (0.9, -3.0), (0.0, -3.0)]), holes: vec![] };
+        let narrow =
+            Rings { outer: ring(&[(0.0, 0.0), (0.9, 0.0), (0.9, -3.0), (0.0, -3.0)]), holes: vec![] };
         let fit = fitted(Point::new(0.2, 0.0), 1.0, [&room, &narrow].into_iter()).unwrap();
-        assert!(fit.center.distance(Point::new(0.45, 0.0)) < 1e-9 && (fit.width - 0.7).abs() < 1e-9, "{fit:?}");
+        assert!(
+            fit.center.distance(Point::new(0.45, 0.0)) < 1e-9 && (fit.width - 0.7).abs() < 1e-9,
+            "{fit:?}"
+        );
         assert_eq!(fitted(Point::new(2.0, 1.5), 1.0, [&room].into_iter()), None);
     }
 }
