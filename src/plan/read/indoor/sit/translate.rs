@@ -1,8 +1,9 @@
 //! Makes drafts of buildings from the parts of a map.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::WORDS;
+use super::houses::{House, houses};
 use super::levels::LevelNumber;
 use super::mapped::Mapped;
 use super::sort::{Door, Sorted, Space, corners, sorted};
@@ -21,8 +22,6 @@ use crate::plan::{
     BuildingDraft, GENERIC_ROOM_TYPE, OpeningDraft, OpeningKind, OpeningPlace, RoomDraft, RoomWords,
     SiteOrigin, SitePlacement,
 };
-
-use super::houses::{House, houses};
 
 /// Metres of a door, and of the main entrance of a building, where the map does not say.
 const DOOR_WIDTHS: (f64, f64) = (0.9, 1.6);
@@ -50,7 +49,7 @@ pub(super) fn buildings(
         return Err(faults);
     };
     let houses = houses(&sorted, &plane, own_id);
-    let doors = sorted.doors.iter().map(|door| key_of(door.at)).collect();
+    let doors: BTreeSet<PlaceKey> = sorted.doors.iter().map(|door| key_of(door.at)).collect();
     let on_plane = |area: &Rings| on_plane(area, &plane, &doors);
     let areas = sorted.spaces.iter().map(|space| space.areas.iter().map(on_plane).collect()).collect();
     let mut translation = Translation { sorted: &sorted, areas, plane, words, unknown: BTreeMap::new() };
