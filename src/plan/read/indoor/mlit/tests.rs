@@ -24,7 +24,8 @@ fn the_shared_station_has_the_counts_of_its_source() {
     assert_eq!(ids, [("level_-1", -3.6), ("level_0", 0.0), ("level_1", 0.0)]);
     let is_part = |id: &str| id.contains('.');
     let rooms = levels.iter().flat_map(|level| &level.rooms).filter(|room| !is_part(&room.id));
-    assert_eq!(rooms.count(), 708);
+    // 708 areas of one part, and one of several.
+    assert_eq!(rooms.count(), 709);
     let (mut rooms, mut attached, mut joined) = (0, 0, 0);
     for draft in levels {
         let (level, problems) = assemble_level(draft.clone());
@@ -36,6 +37,6 @@ fn the_shared_station_has_the_counts_of_its_source() {
         joined += level.openings.iter().filter(|opening| opening.sides.len() == 2).count();
     }
     println!("{rooms} rooms; {attached} of 624 openings attached, {joined} join two rooms");
-    assert!(rooms >= 708, "{rooms} rooms");
+    assert!(rooms >= 709, "{rooms} rooms");
     assert!(attached * 100 >= 95 * 624, "{attached} openings");
 }
