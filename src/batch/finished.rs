@@ -126,6 +126,9 @@ fn inputs(bake: &Path, record: &LevelRecord, options: &BakeOptions) -> Result<St
     for number in [record.site.position[0], record.site.position[1], record.site.turn] {
         hash.field(&number.to_le_bytes());
     }
+    if let Some(attribution) = &record.attribution {
+        hash.field(b"attribution").field(attribution.as_bytes());
+    }
     for file in &record.files {
         let fault = |error| OutputFault::of(&bake.join(&file.path), "read the file", &error);
         let content = match open_inside(bake, &file.path).map_err(fault)? {

@@ -87,6 +87,9 @@ fn input_hash(
     for message in &level.left_out {
         hash.field(message.as_bytes());
     }
+    if let Some(attribution) = &placed.building.attribution {
+        hash.field(b"attribution").field(attribution.as_bytes());
+    }
     for number in [site.position.x, site.position.y, site.turn] {
         hash.field(&number.to_le_bytes());
     }
@@ -120,7 +123,7 @@ pub(crate) mod tests {
         PlacedBuilding {
             id: id.to_owned(),
             site: SitePlacement::default(),
-            building: Arc::new(Building { name: None, levels }),
+            building: Arc::new(Building { name: None, attribution: None, levels }),
             source: Arc::default(),
         }
     }

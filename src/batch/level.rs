@@ -233,6 +233,7 @@ fn record(context: &Context<'_>, job: &Job<'_>, files: &LevelFiles, rooms: &Room
         totals: Totals { rooms: rooms.furnished.len() as u64, ..Totals::default() },
         classes: std::collections::BTreeMap::new(),
         left_out: job.level.left_out.clone(),
+        attribution: job.placed.building.attribution.clone(),
         rooms: Vec::new(),
     };
     for room in 0..rooms.furnished.len() {

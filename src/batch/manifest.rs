@@ -1,6 +1,6 @@
 //! `manifest.json`: every file with its hash, counts and findings; sorted, without times or facts of the machine.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 
 use serde::{Deserialize, Serialize};
@@ -64,6 +64,9 @@ pub(crate) struct Manifest {
     /// Other files of earlier bakes that no level uses.
     #[serde(default)]
     former_files: Vec<FileRecord>,
+    /// The texts by which the sources of the plans ask to be named wherever the levels are shown, each once, sorted.
+    #[serde(default)]
+    attributions: Vec<String>,
     /// Sums over the levels.
     totals: Totals,
 }
@@ -129,9 +132,12 @@ pub(crate) fn write_manifest<W: Write>(
     write!(out, "{{\n\"manifest\": {MANIFEST_VERSION},\n\"program\": \"{PROGRAM}\",\n\"levels\": [")?;
     let mut totals = Totals::default();
     let mut used = BTreeMap::new();
+    let mut attributions: BTreeSet<String> =
+        listed.former_levels.iter().filter_map(|level| level.attribution.clone()).collect();
     for (index, record) in records.enumerate() {
         let record = without_own_program(record?);
         totals.add(&record.totals);
+        attributions.extend(record.attribution.clone());
         used.extend(record.library.iter().filter_map(|path| Some((path.clone(), listed.library.get(path)?))));
         out.write_all(if index == 0 { b"\n" } else { b",\n" })?;
         write_value(out, &record)?;
@@ -150,6 +156,10 @@ pub(crate) fn write_manifest<W: Write>(
     if !listed.former_files.is_empty() {
         out.write_all(b",\n\"former_files\": ")?;
         write_value(out, &listed.former_files)?;
+    }
+    if !attributions.is_empty() {
+        out.write_all(b",\n\"attributions\": ")?;
+        write_value(out, &attributions)?;
     }
     out.write_all(b",\n\"totals\": ")?;
     write_value(out, &totals)?;
@@ -268,6 +278,7 @@ pub(crate) mod tests {
             totals: Totals { rooms: 2, requested: 5, placed: 4, removed: 1, audit, ..Totals::default() },
             classes: BTreeMap::from([("bed".to_owned(), 1), ("chair".to_owned(), 3)]),
             left_out: Vec::new(),
+            attribution: None,
             rooms: vec![RoomRecord {
                 room: "12".to_owned(),
                 grade: Some(Grade::Minor),
@@ -316,6 +327,18 @@ pub(crate) mod tests {
             r#"{"room": "12", "grade": "minor", "score": 0.8125, "removed": [{"class": "lamp", "reason": "no place"}], "findings": [{"code": "tight_use", "severity": "minor", "objects": [], "measured": 0.7299999999999999, "threshold": 0.75}]}"#
         );
         assert!(text.lines().any(|line| line.trim() == r#""classes": {"#));
+    }
+
+    #[test]
+    fn each_source_is_named_once() {
+        let of = |level: &str, text: &str| LevelRecord {
+            attribution: Some(text.to_owned()),
+            ..record("a", level)
+        };
+        let text = written(&[of("1", "© B"), of("2", "© A"), of("3", "© B"), record("b", "1")]);
+        let manifest: serde_json::Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(manifest["attributions"], serde_json::json!(["© A", "© B"]));
+        assert!(!written(&[record("a", "1")]).contains("attribution"));
     }
 
     #[test]

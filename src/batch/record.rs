@@ -42,6 +42,9 @@ pub struct LevelRecord {
     /// Faulty parts of the plan that the level lacks, in words.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub left_out: Vec<String>,
+    /// The text by which the source of the plan asks to be named, if it does.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub attribution: Option<String>,
     /// Rooms with missing pieces or findings, in the plan's order.
     pub rooms: Vec<RoomRecord>,
 }

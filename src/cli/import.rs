@@ -12,7 +12,7 @@ use super::screen::Screen;
 use super::sources::read_plans_and_catalog;
 use crate::batch::distinct_names;
 use crate::document::{Fault, Faults, counted, printable};
-use crate::plan::{InputReport, Level, PlacedBuilding, PlanReading, write_native};
+use crate::plan::{InputReport, Level, PlacedBuilding, PlanOptions, PlanReading, write_native};
 
 /// Endings of formats that users may expect instead of YAML.
 const OTHER_ENDINGS: [&str; 9] = ["json", "geojson", "dxf", "dwg", "ifc", "svg", "glb", "gltf", "zip"];
@@ -34,7 +34,11 @@ struct Written<'a> {
 pub(crate) fn run(arguments: ImportArguments, screen: Screen) -> Outcome {
     let ImportArguments { paths, out, force, catalog, keep_furniture, report: is_report_wanted } = arguments;
     let sources = SourceArguments { paths, catalog, ..SourceArguments::default() };
-    let read = read_plans_and_catalog(&sources, keep_furniture);
+    let read = read_plans_and_catalog(&sources, |options| PlanOptions {
+        keeps_furniture: keep_furniture,
+        is_for_writing: true,
+        ..options
+    });
     let (PlanReading { plan, mut faults, reports, .. }, catalog) = match read {
         Ok(read) => read,
         Err(faults) => {

@@ -88,23 +88,23 @@ fn all_faults(arguments: &SourceArguments) -> Faults {
 /// # Errors
 /// As [`read_sources`].
 pub(crate) fn read_plans_only(arguments: &SourceArguments) -> Result<PlanReading, Faults> {
-    read_plans_and_catalog(arguments, false).map(|(reading, _)| reading)
+    read_plans_and_catalog(arguments, |options| options).map(|(reading, _)| reading)
 }
 
-/// As [`read_plans_only`], with the catalogue that the words came from; `keeps_furniture` as in [`PlanOptions`].
+/// As [`read_plans_only`], with the catalogue that the words came from, and with other options.
 ///
 /// # Errors
 /// As there.
 pub(crate) fn read_plans_and_catalog(
     arguments: &SourceArguments,
-    keeps_furniture: bool,
+    with: impl Fn(PlanOptions<'_>) -> PlanOptions<'_>,
 ) -> Result<(PlanReading, Catalog), Faults> {
     let settings = project_settings(&arguments.paths)?;
     let folders: Vec<PathBuf> = settings.catalog.iter().chain(&arguments.catalog).cloned().collect();
     let Warned { value: catalog, warnings: mut faults } = load_catalog(&folders)?;
     let choices = arguments.choices();
     let options = PlanOptions::new(&catalog.room_words).with_planning(&catalog.typologies, &choices);
-    let reading = read_plans(&arguments.paths, &PlanOptions { keeps_furniture, ..options });
+    let reading = read_plans(&arguments.paths, &with(options));
     faults.merge(reading.faults);
     match reading.plan.buildings.is_empty() {
         true => Err(faults),

@@ -67,7 +67,8 @@ impl Occupancy {
         }
         let levels = building.levels.iter().zip(&self.levels);
         let levels = levels.map(|(level, homes)| homes.apply(level).into_owned()).collect();
-        Arc::new(Building { name: building.name.clone(), levels })
+        let Building { name, attribution, levels: _ } = building.as_ref();
+        Arc::new(Building { name: name.clone(), attribution: attribution.clone(), levels })
     }
 }
 

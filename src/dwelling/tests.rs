@@ -39,7 +39,7 @@ fn flat(rooms: &[(&str, f64)]) -> Building {
 }
 
 fn building(levels: Vec<Level>) -> Building {
-    Building { name: None, levels }
+    Building { name: None, attribution: None, levels }
 }
 
 fn level(id: &str, rooms: &[(&str, f64)]) -> Level {

@@ -51,6 +51,8 @@ pub struct SitePlacement {
 pub struct Building {
     /// A title for people, if the plan has one.
     pub name: Option<String>,
+    /// The text by which the source of the plan asks to be named, if it does.
+    pub attribution: Option<String>,
     /// The levels; ids are unique in the building.
     pub levels: Vec<Level>,
 }

@@ -14,6 +14,8 @@ use super::building::OpeningKind;
 pub struct BuildingDraft {
     /// A title for people, if the plan has one.
     pub name: Option<String>,
+    /// The text by which the source of the plan asks to be named, if it does.
+    pub attribution: Option<String>,
     /// The storeys, lowest first as far as the plan says.
     pub levels: Vec<LevelDraft>,
 }

@@ -6,7 +6,11 @@ use crate::geometry::Point;
 /// The building with east and west exchanged: x becomes −x, left hinges become right ones. Edges keep their
 /// numbers, for corners keep their order; assembling turns the outlines round again.
 pub(crate) fn mirror_building(draft: &BuildingDraft) -> BuildingDraft {
-    BuildingDraft { name: draft.name.clone(), levels: draft.levels.iter().map(mirror_level).collect() }
+    BuildingDraft {
+        name: draft.name.clone(),
+        attribution: draft.attribution.clone(),
+        levels: draft.levels.iter().map(mirror_level).collect(),
+    }
 }
 
 fn mirror_level(level: &LevelDraft) -> LevelDraft {
@@ -71,7 +75,7 @@ mod tests {
         };
         let room = RoomDraft { outline: vec![Point::ZERO, Point::X, Point::ONE], ..RoomDraft::default() };
         let level = LevelDraft { rooms: vec![room], openings: vec![door], ..LevelDraft::default() };
-        let draft = BuildingDraft { name: None, levels: vec![level] };
+        let draft = BuildingDraft { levels: vec![level], ..BuildingDraft::default() };
         let once = mirror_building(&draft);
         assert_eq!(once.levels[0].rooms[0].outline[1], Point::NEG_X);
         assert!(matches!(once.levels[0].openings[0].leaf, LeafDraft::Swing { hinge_left: false, .. }));

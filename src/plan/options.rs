@@ -15,6 +15,9 @@ pub struct PlanOptions<'a> {
     pub planning: Option<Planning<'a>>,
     /// Whether the furniture that files draw is kept apart from the plan, so that no reader need report it as left out.
     pub keeps_furniture: bool,
+    /// Whether the buildings are written as native plans. Others are taken as their native plans say them, so that both are the same
+    /// to the byte; one that was taken so and is written again may come back with openings that are moved by 0.01 mm once more.
+    pub is_for_writing: bool,
 }
 
 /// How buildings are planned of which only the outline is known.
@@ -30,7 +33,7 @@ impl<'a> PlanOptions<'a> {
     /// Options for floor plans alone.
     #[must_use]
     pub fn new(words: &'a RoomWords) -> Self {
-        Self { words, planning: None, keeps_furniture: false }
+        Self { words, planning: None, keeps_furniture: false, is_for_writing: false }
     }
 
     /// The same, with maps of outlines.

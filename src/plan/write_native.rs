@@ -36,6 +36,7 @@ pub fn write_native(building: &Building, id: &str) -> String {
         version: super::read::native::VERSION,
         id: id.to_owned(),
         name: building.name.clone(),
+        attribution: building.attribution.clone(),
         walls: FlowMap(OutWalls { exterior: Number(exterior_thickness(building)) }),
         levels: building.levels.iter().map(level).collect(),
     };
@@ -173,7 +174,7 @@ mod tests {
 
     #[test]
     fn an_empty_building_is_written() {
-        let text = write_native(&Building { name: None, levels: Vec::new() }, "none");
+        let text = write_native(&Building { name: None, attribution: None, levels: Vec::new() }, "none");
         assert_eq!(text, "version: 1\nid: none\nwalls: {exterior: 0.3}\nlevels: []\n");
     }
 

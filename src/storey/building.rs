@@ -273,7 +273,7 @@ fn finished(
     };
     let levels =
         storeys.iter().enumerate().map(|(number, storey)| level_draft(storey, number, brief)).collect();
-    let draft = BuildingDraft { name: footprint.name.clone(), levels };
+    let draft = BuildingDraft { name: footprint.name.clone(), levels, ..BuildingDraft::default() };
     let placement = SitePlacement { position: outline.frame.origin, turn: outline.frame.turn };
     PlannedBuilding { id: footprint.id.clone(), draft, placement, report }
 }

@@ -60,7 +60,7 @@ impl Baked {
                         continue;
                     }
                     known.insert(key, file.clone());
-                    let empty = || Building { name: None, levels: Vec::new() };
+                    let empty = || Building { name: None, attribution: None, levels: Vec::new() };
                     buildings.entry(building).or_insert_with(empty).levels.push(level);
                 }
                 Err(fault) => faults.push(fault),

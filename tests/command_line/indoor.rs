@@ -4,12 +4,15 @@ use std::path::Path;
 
 use super::world::World;
 
-/// The folders of the maps below `tests/cases/plan_import`, with their levels.
-const MAPS: [(&str, usize); 3] = [("indoor_xml", 2), ("indoor_geojson", 2), ("indoor_mlit", 2)];
+/// The folders of the maps below `tests/cases`, with their levels.
+const MAPS: [(&str, usize); 3] = [(XML, 2), (GEOJSON, 2), ("plan_import/indoor_mlit", 2)];
+/// One map in two encodings; apart, for two buildings of one folder may not have the same id.
+const XML: &str = "plan_import/indoor_xml";
+const GEOJSON: &str = "plan_encodings/indoor_geojson";
 
 fn world(map: &str) -> World {
     let world = World::new();
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/plan_import").join(map);
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases").join(map);
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         let name = path.file_name().unwrap().to_str().unwrap().to_owned();
@@ -22,6 +25,14 @@ fn levels(world: &World, folder: &str) -> Vec<(String, Vec<u8>)> {
     world.contents(folder).into_iter().filter(|(name, _)| name.ends_with(".glb")).collect()
 }
 
+/// The sources that the manifest of a folder names.
+fn attributions(world: &World, folder: &str) -> Vec<serde_json::Value> {
+    let contents = world.contents(folder);
+    let (_, text) = contents.iter().find(|(name, _)| *name == "manifest.json").expect("a manifest");
+    let manifest: serde_json::Value = serde_json::from_slice(text).unwrap();
+    manifest["attributions"].as_array().cloned().unwrap_or_default()
+}
+
 #[test]
 fn imported_indoor_maps_bake_to_the_bytes_of_the_maps() {
     for (map, level_count) in MAPS {
@@ -32,12 +43,14 @@ fn imported_indoor_maps_bake_to_the_bytes_of_the_maps() {
         let [direct, native] = ["direct", "native"].map(|folder| levels(&world, folder));
         assert_eq!(direct.len(), level_count, "{map}");
         assert!(direct == native, "{map}: the levels differ");
+        let [direct, native] = ["direct", "native"].map(|folder| attributions(&world, folder));
+        assert!(!direct.is_empty() && direct == native, "{map}: {direct:?}, {native:?}");
     }
 }
 
 #[test]
 fn one_map_bakes_to_the_same_bytes_in_each_encoding() {
-    let [xml, geojson] = ["indoor_xml", "indoor_geojson"].map(|map| {
+    let [xml, geojson] = [XML, GEOJSON].map(|map| {
         let world = world(map);
         world.run(&["bake", "map", "--out", "out", "--effort", "1"]);
         levels(&world, "out")

@@ -150,7 +150,7 @@ fn the_kind_of_a_building_is_that_of_most_known_rooms() {
 /// A building of levels with rooms of these types, in a row, and how the last room of the first level is read.
 fn read_in_tower(levels: Vec<Vec<RoomDraft>>) -> (String, String) {
     let levels = levels.into_iter().map(|rooms| level(rooms, Vec::new())).collect();
-    let draft = BuildingDraft { name: None, levels };
+    let draft = BuildingDraft { levels, ..BuildingDraft::default() };
     let words = words();
     let mut told = 0;
     let mut guessing = Guessing::of(&draft, &words, &mut told).expect("a word is unknown");
@@ -220,7 +220,7 @@ fn thousands_of_guesses_are_counted_instead_of_listed() {
         let room = move |index: i32| stranger(&format!("r{index}"), (f64::from(index) * 4.0, y), (3.9, 4.0));
         level((0..500).map(room).collect(), Vec::new())
     };
-    let draft = BuildingDraft { name: None, levels: vec![row(0.0), row(5.0)] };
+    let draft = BuildingDraft { levels: vec![row(0.0), row(5.0)], ..BuildingDraft::default() };
     let words = words();
     let mut told = 0;
     let mut guessing = Guessing::of(&draft, &words, &mut told).expect("a word is unknown");
@@ -237,8 +237,8 @@ fn thousands_of_guesses_are_counted_instead_of_listed() {
 #[test]
 fn all_buildings_of_an_input_share_the_list_of_guesses() {
     let house = BuildingDraft {
-        name: None,
         levels: vec![level(vec![stranger("a", (0.0, 0.0), (4.0, 4.0))], Vec::new())],
+        ..BuildingDraft::default()
     };
     let words = words();
     let mut told = 0;
@@ -268,7 +268,7 @@ fn time_to_guess_grows_with_the_number_of_rooms() {
             })
             .into();
         let assembled = assemble_level(levels[0].clone()).0;
-        (BuildingDraft { name: None, levels }, assembled)
+        (BuildingDraft { levels, ..BuildingDraft::default() }, assembled)
     };
     let guess = |(draft, assembled): (BuildingDraft, Level)| {
         let mut told = 0;
@@ -281,7 +281,7 @@ fn time_to_guess_grows_with_the_number_of_rooms() {
 
 #[test]
 fn a_building_whose_words_are_known_has_nothing_to_guess() {
-    let draft = BuildingDraft { name: None, levels: vec![level(neighbours(), Vec::new())] };
+    let draft = BuildingDraft { levels: vec![level(neighbours(), Vec::new())], ..BuildingDraft::default() };
     assert!(Guessing::of(&draft, &words(), &mut 0).is_none());
 }
 
@@ -309,7 +309,7 @@ fn guessed_uses(draft: &BuildingDraft, words: &RoomWords, step: usize) -> (usize
     let levels: Vec<Level> = draft.levels.iter().map(|level| assemble_level(level.clone()).0).collect();
     let mut counts = (0, 0);
     for first in 0..step {
-        let mut blind = BuildingDraft { name: None, levels: draft.levels.clone() };
+        let mut blind = BuildingDraft { levels: draft.levels.clone(), ..BuildingDraft::default() };
         let rooms =
             blind.levels.iter_mut().flat_map(|level| level.rooms.iter_mut().skip(first).step_by(step));
         rooms.for_each(|room| room.unknown_word = Some("Zxq".to_owned()));

@@ -78,7 +78,7 @@ fn read(path: &Path, words: &RoomWords) -> ReadResult {
     ReadBuildings::new(
         vec![DraftedBuilding {
             id,
-            draft: BuildingDraft { name: None, levels: vec![level] },
+            draft: BuildingDraft { levels: vec![level], ..BuildingDraft::default() },
             ..DraftedBuilding::default()
         }],
         faults,

@@ -68,7 +68,7 @@ pub(super) fn finish(
     }
     let unprintable = replace_unprintable(&mut draft);
     let mut guessing = Guessing::of(&draft, words, told);
-    let mut building = Building { name: draft.name, levels: Vec::new() };
+    let mut building = Building { name: draft.name, attribution: draft.attribution, levels: Vec::new() };
     let mut problems = Vec::new();
     let mut reports = Vec::new();
     for (place, level) in draft.levels.into_iter().enumerate() {

@@ -266,7 +266,7 @@ fn read_drafts(path: &Path, options: &PlanOptions<'_>) -> Drafts {
     match (format.read)(path, options) {
         Ok(ReadBuildings { buildings, faults, origin }) => {
             let drafted = |DraftedBuilding { id, draft, placement, is_settled }| Drafted {
-                is_settled,
+                is_settled: is_settled && !options.is_for_writing,
                 id,
                 draft,
                 placement,

@@ -13,6 +13,7 @@ pub(super) fn replace_unprintable(draft: &mut BuildingDraft) -> Option<(String, 
         }
     };
     draft.name.iter_mut().for_each(|name| mend(name, ' '));
+    draft.attribution.iter_mut().for_each(|text| mend(text, ' '));
     for level in &mut draft.levels {
         mend(&mut level.name, ' ');
         mend(&mut level.id, '_');
@@ -59,7 +60,8 @@ mod tests {
             ..RoomDraft::default()
         };
         let level = LevelDraft { id: "ground".to_owned(), rooms: vec![room], ..LevelDraft::default() };
-        let mut draft = BuildingDraft { name: Some("Haus".to_owned()), levels: vec![level] };
+        let mut draft =
+            BuildingDraft { name: Some("Haus".to_owned()), levels: vec![level], ..BuildingDraft::default() };
         let found = replace_unprintable(&mut draft);
         assert_eq!(found, Some(("a\\n::warning::b".to_owned(), 2)));
         let room = &draft.levels[0].rooms[0];

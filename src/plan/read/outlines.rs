@@ -4,7 +4,8 @@ use std::path::Path;
 
 use rayon::prelude::*;
 
-use super::footprint::{ReadSite, read_site, recognises};
+use super::footprint::{FootprintFormat, ReadSite, read_site, recognises};
+use super::osm::ATTRIBUTION;
 use super::reader::{DraftedBuilding, ForeignFormat, ReadBuildings, ReadFormat};
 use crate::document::{Fault, Faults, did_you_mean};
 use crate::geometry::{Bounds, Point};
@@ -76,7 +77,16 @@ pub(crate) fn read_and_plan(path: &Path, options: &PlanOptions<'_>) -> Result<Pl
     if !narrow.is_empty() {
         read.leave_out(path, &narrow, "nobody can stand in it");
     }
-    Ok(PlannedSite { site: read, buildings: planned.into_iter().flatten().collect() })
+    let mut buildings: Vec<PlannedBuilding> = planned.into_iter().flatten().collect();
+    if is_of_openstreetmap(path) {
+        buildings.iter_mut().for_each(|building| building.draft.attribution = Some(ATTRIBUTION.to_owned()));
+    }
+    Ok(PlannedSite { site: read, buildings })
+}
+
+/// Whether a map says by its format where it is from; exports as GeoJSON do not.
+fn is_of_openstreetmap(path: &Path) -> bool {
+    matches!(recognises(path), Some(FootprintFormat::OsmXml | FootprintFormat::OsmPbf))
 }
 
 /// Where the plane of a site is on the earth, where its map says so.

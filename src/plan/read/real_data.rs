@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::document::Source;
-use crate::plan::{BuildingDraft, RoomWords};
+use crate::plan::{Building, BuildingDraft, PlanOptions, RoomWords, write_native};
 
 /// A folder of the shared floor plans, or `None` with a printed reason where it is absent.
 pub(in crate::plan) fn folder(name: &str) -> Option<PathBuf> {
@@ -52,4 +52,25 @@ pub(super) fn words() -> RoomWords {
     };
     let words = table.formats.into_iter().map(|(format, words)| (format, lower(words))).collect();
     RoomWords { known: ["toilet".to_owned()].into(), words, ..RoomWords::default() }
+}
+
+/// Asserts that all levels of a plan are the same, to the last bit, read from it and from its native plan.
+pub(super) fn assert_comes_back(path: &Path) {
+    let mut words = words();
+    words.accept_everything();
+    let options = PlanOptions::new(&words);
+    let paths = [path.to_owned()];
+    let direct = super::read_plans(&paths, &options);
+    let imported = super::read_plans(&paths, &PlanOptions { is_for_writing: true, ..options });
+    assert_eq!(direct.plan.buildings.len(), imported.plan.buildings.len());
+    for (direct, imported) in direct.plan.buildings.iter().zip(&imported.plan.buildings) {
+        let text = write_native(&imported.building, &imported.id);
+        let again = super::parse_plan(Source::new(Path::new("plan.yaml"), &text), &options);
+        let [again] = again.plan.buildings.as_slice() else { panic!("{}", again.faults) };
+        assert_eq!(again.building.attribution, direct.building.attribution);
+        let digests = |building: &Building| -> Vec<[u8; 32]> {
+            building.levels.iter().map(|level| level.digest).collect()
+        };
+        assert_eq!(digests(&again.building), digests(&direct.building), "{}", path.display());
+    }
 }

@@ -50,6 +50,8 @@ pub(super) struct OutPlan {
     pub(super) id: String,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) name: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) attribution: Option<String>,
     pub(super) walls: FlowMap<OutWalls>,
     pub(super) levels: Vec<OutLevel>,
 }

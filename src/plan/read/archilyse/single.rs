@@ -30,7 +30,7 @@ pub(super) fn read(path: &Path, words: &RoomWords) -> ReadResult {
         Naming { room_type: &mut |area, is_toilet| types.of(area, is_toilet), apartment: &|_| None };
     let levels = vec![level(&floor, &mut naming)];
     let id = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-    let draft = BuildingDraft { name: None, levels };
+    let draft = BuildingDraft { levels, ..BuildingDraft::default() };
     faults.merge(types.warnings(&areas));
     ReadBuildings::new(vec![DraftedBuilding { id, draft, ..DraftedBuilding::default() }], faults)
 }

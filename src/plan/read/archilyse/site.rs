@@ -100,7 +100,8 @@ pub(super) fn read(folder: &Path, words: &RoomWords) -> ReadResult {
         floors.sort_by_key(|(number, _)| *number);
         let id = if is_single { name.clone() } else { format!("{name}_{building}") };
         let levels = floors.into_iter().map(|(_, level)| level).collect();
-        let draft = BuildingDraft { name: site.titles.get(&building).cloned(), levels };
+        let draft =
+            BuildingDraft { name: site.titles.get(&building).cloned(), levels, ..BuildingDraft::default() };
         DraftedBuilding { id, draft, ..DraftedBuilding::default() }
     });
     ReadBuildings::new(drafted.collect(), faults)

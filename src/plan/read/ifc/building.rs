@@ -63,7 +63,7 @@ pub(super) fn buildings(
         let by = recentring(levels.iter().flat_map(|level| &level.rooms).flat_map(|room| &room.outline));
         levels.iter_mut().for_each(|level| shift(level, by));
         pieces.iter_mut().for_each(|piece| piece.center += by);
-        let draft = BuildingDraft { name: title(model, home.id), levels };
+        let draft = BuildingDraft { name: title(model, home.id), levels, ..BuildingDraft::default() };
         drafted.push((DraftedBuilding { id, draft, ..DraftedBuilding::default() }, pieces));
     }
     for space in spaces.values().flatten() {

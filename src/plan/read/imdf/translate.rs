@@ -30,7 +30,7 @@ pub(super) fn buildings(archive: &Archive, words: &RoomWords) -> ReadResult {
         let levels = translation.levels(&levels);
         buildings.push(DraftedBuilding {
             id,
-            draft: BuildingDraft { name, levels },
+            draft: BuildingDraft { name, levels, ..BuildingDraft::default() },
             ..DraftedBuilding::default()
         });
     }

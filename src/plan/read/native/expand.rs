@@ -35,7 +35,8 @@ pub(super) fn expand_building(
     left_out: &BTreeSet<Vec<PathStep>>,
     report: &mut Report<'_>,
 ) -> Expanded {
-    let draft = BuildingDraft { name: file.name.clone(), levels: Vec::new() };
+    let draft =
+        BuildingDraft { name: file.name.clone(), attribution: file.attribution.clone(), levels: Vec::new() };
     let mut expansion = Expansion {
         file,
         left_out,

@@ -30,6 +30,9 @@ pub(crate) struct PlanFile {
     #[serde(default)]
     #[schemars(schema_with = "word")]
     pub(crate) name: Option<String>,
+    /// The text by which the source of the plan asks to be named, such as `© OpenStreetMap contributors, ODbL 1.0`; it goes into
+    /// the manifest.
+    pub(crate) attribution: Option<String>,
     /// Unit of every length in this file; metres where absent.
     #[serde(default)]
     pub(crate) units: LengthUnit,

@@ -14,6 +14,9 @@ mod rings;
 mod wire;
 mod xml;
 
+/// By which the contributors of the map ask to be named (openstreetmap.org/copyright).
+pub(super) const ATTRIBUTION: &str = "© OpenStreetMap contributors, ODbL 1.0";
+
 pub(super) use areas::{INCOMPLETE, areas_of, holds};
 pub(super) use elements::{Body, Element, ElementKind, Elements};
 pub(super) use pbf::PbfFile;

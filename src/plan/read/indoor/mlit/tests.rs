@@ -3,7 +3,7 @@
 use super::read;
 use crate::plan::assemble_level;
 use crate::plan::read::reader::ReadBuildings;
-use crate::plan::read::real_data::{folder, words};
+use crate::plan::read::real_data::{assert_comes_back, folder, words};
 
 fn station() -> Option<ReadBuildings> {
     let path = folder("mlit-indoor")?;
@@ -39,4 +39,11 @@ fn the_shared_station_has_the_counts_of_its_source() {
     println!("{rooms} rooms; {attached} of 624 openings attached, {joined} join two rooms");
     assert!(rooms >= 709, "{rooms} rooms");
     assert!(attached * 100 >= 95 * 624, "{attached} openings");
+}
+
+#[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
+fn the_shared_station_is_the_same_as_a_native_plan() {
+    let Some(folder) = folder("mlit-indoor") else { return };
+    assert_comes_back(&folder);
 }

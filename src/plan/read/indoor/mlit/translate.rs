@@ -20,6 +20,9 @@ const ORDINAL_PARTS: f64 = 100.0;
 /// The farthest storey that is believed.
 const FARTHEST_ORDINAL: f64 = 300.0;
 
+/// By which the ministry asks to be named ("source: MLIT, indoor map, changed"). The files do not have the title of their data set.
+const ATTRIBUTION: &str = "出典：国土交通省 屋内地図オープンデータを加工 (MLIT, Japan)";
+
 /// The draft of a building, where it is on the earth, and warnings.
 ///
 /// # Errors
@@ -45,7 +48,11 @@ pub(super) fn building(
     let levels = translation.levels.into_values().filter(|level| !level.rooms.is_empty());
     let building = DraftedBuilding {
         id: id.to_owned(),
-        draft: BuildingDraft { name: None, levels: levels.map(Into::into).collect() },
+        draft: BuildingDraft {
+            name: None,
+            attribution: Some(ATTRIBUTION.to_owned()),
+            levels: levels.map(Into::into).collect(),
+        },
         is_settled: true,
         ..DraftedBuilding::default()
     };

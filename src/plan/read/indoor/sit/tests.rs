@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::{read, recognises};
 use crate::plan::read::reader::ReadBuildings;
-use crate::plan::read::real_data::{folder, words};
+use crate::plan::read::real_data::{assert_comes_back, folder, words};
 use crate::plan::{LevelDraft, OpeningKind, assemble_level};
 
 fn faculty(name: &str) -> Option<ReadBuildings> {
@@ -72,6 +72,15 @@ fn the_shared_station_is_read_although_it_has_no_doors() {
     assert!(!read.faults.has_errors(), "{}", read.faults);
     let ids: Vec<(&str, usize)> = levels(&read).map(|level| (level.id.as_str(), level.rooms.len())).collect();
     assert_eq!(ids.iter().map(|(_, rooms)| rooms).sum::<usize>(), 116, "{ids:?}");
+}
+
+#[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
+fn the_shared_maps_are_the_same_as_native_plans() {
+    let Some(folder) = folder("osm-indoor") else { return };
+    for name in ["APBorig.osm", "gare-de-l-est.geojson"] {
+        assert_comes_back(&folder.join(name));
+    }
 }
 
 /// A flat of two rooms with a door between, an entrance, a bin and a lift through two levels, in XML.

@@ -15,6 +15,7 @@ use crate::plan::read::geojson::plane_around;
 use crate::plan::read::indoor::remarks::Remarks;
 use crate::plan::read::indoor::storey::{STOREY_HEIGHT, Storey, opening};
 use crate::plan::read::native::number_of_id;
+use crate::plan::read::osm::ATTRIBUTION;
 use crate::plan::read::reader::{DraftedBuilding, ReadBuildings, ReadResult};
 use crate::plan::read::rings::Rings;
 use crate::plan::units::{LocalPlane, length_of_words};
@@ -104,7 +105,7 @@ impl Translation<'_> {
         let name = house.outline.and_then(|outline| outline.tag("name")).map(str::to_owned);
         DraftedBuilding {
             id: house.id.clone(),
-            draft: BuildingDraft { name, levels },
+            draft: BuildingDraft { name, attribution: Some(ATTRIBUTION.to_owned()), levels },
             placement: SitePlacement { position: house.position, turn: 0.0 },
             is_settled: true,
         }
