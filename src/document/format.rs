@@ -29,11 +29,12 @@ pub(super) struct Refusal {
 }
 
 impl Format {
-    /// By the extension: `.json` and `.geojson` are JSON, everything else YAML (of which JSON is a part).
+    /// By the extension: `.json`, `.geojson` and those of energy models are JSON, everything else YAML (of which JSON is a part).
     #[must_use]
     pub fn of(file: &Path) -> Self {
         let extension = file.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
-        let is_json = ["json", "geojson"].iter().any(|known| extension.eq_ignore_ascii_case(known));
+        let is_json =
+            ["json", "geojson", "dfjson", "hbjson"].iter().any(|known| extension.eq_ignore_ascii_case(known));
         if is_json { Self::Json } else { Self::Yaml }
     }
 }

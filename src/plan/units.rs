@@ -50,6 +50,18 @@ pub(crate) fn length_of_words(words: &str) -> Option<f64> {
     Some(number * factor)
 }
 
+/// Metres of a unit as energy models name it, in the plural: `Meters`, `Millimeters`, `Feet`, `Inches`, `Centimeters`.
+pub(crate) fn model_unit(word: &str) -> Option<f64> {
+    match word.to_ascii_lowercase().as_str() {
+        "meters" => Some(1.0),
+        "millimeters" => Some(0.001),
+        "feet" => Some(FOOT),
+        "inches" => Some(INCH),
+        "centimeters" => Some(CENTIMETRE),
+        _ => None,
+    }
+}
+
 /// The factor of an SI prefix, as formats spell it in capitals.
 pub(crate) fn si_prefix(word: &str) -> Option<f64> {
     let power: i32 = match word {

@@ -25,9 +25,6 @@ fn real_files_of_other_formats_are_refused_by_name() {
     }
     for (file, name) in [
         ("floorplans/mlit-indoor/JRTokyoSta_1_Space.geojson", "a file of a Japanese indoor map"),
-        ("floorplans/dragonfly/model_complete_simple.dfjson", "a dragonfly model"),
-        ("floorplans/dragonfly/model_with_doors_skylights.dfjson", "a dragonfly model"),
-        ("floorplans/honeybee/single_family_home.hbjson", "a honeybee model"),
         ("floorplans/archilyse/dxf/AL_Sample building_1OG_DXF.dxf.zip", "a ZIP archive"),
         ("floorplans/archilyse/site_1440/areas.json", "the areas of a react-planner drawing"),
         ("floorplans/imdf-spbpu/unit.geojson", "a file of an IMDF folder"),

@@ -8,6 +8,7 @@ mod finish;
 pub(crate) mod footprint;
 mod foreign;
 mod geojson;
+mod honeybee;
 pub(crate) mod ifc;
 pub(crate) mod imdf;
 mod indoor;

@@ -42,7 +42,7 @@ use std::path::Path;
 
 use super::drawn::DrawnPiece;
 use super::reader::{ForeignFormat, ReadFormat};
-use super::{archilyse, ifc, imdf, indoor, outlines, sweet_home};
+use super::{archilyse, honeybee, ifc, imdf, indoor, outlines, sweet_home};
 use crate::document::Faults;
 
 /// All formats but the native one, in the order in which they are asked: a map with rooms as well as outlines of buildings is a
@@ -53,6 +53,7 @@ pub(crate) const FOREIGN_FORMATS: &[ForeignFormat] = &[
     indoor::mlit::FORMAT,
     ifc::FORMAT,
     sweet_home::FORMAT,
+    honeybee::FORMAT,
     indoor::sit::FORMAT,
     outlines::FORMAT,
 ];

@@ -62,16 +62,6 @@ pub(crate) const UNREAD_KINDS: &[UnreadKind] = &[
     kind("an SVG drawing", |file| file.is_xml("svg"), OTHER_PLANS),
     kind("a web page (HTML)", |file| file.is_xml("html"), OTHER_PLANS),
     kind("an XML file", |file| file.xml_root().is_some() && file.text.starts_with("<?xml"), OTHER_PLANS),
-    kind(
-        "a dragonfly model (.dfjson)",
-        |file| file.is_of(&["dfjson"]) || file.text.contains("\"unique_stories\""),
-        OTHER_PLANS,
-    ),
-    kind(
-        "a honeybee model (.hbjson)",
-        |file| file.is_of(&["hbjson"]) || (file.says("type", "Model") && file.has(&["identifier"])),
-        OTHER_PLANS,
-    ),
     kind("CityJSON", |file| file.says("type", "CityJSON") || file.has(&["CityObjects"]), OTHER_PLANS),
     kind(
         "a file of an IMDF folder",
