@@ -32,6 +32,7 @@ pub const TARGETS: &[(&str, Target)] = &[
     ("edits", read_edits_of_a_plan),
     ("floor", judge_floor),
     ("geojson", plan_geojson),
+    ("honeybee", read_honeybee),
     ("ifc", read_ifc),
     ("imdf", read_bundle_of_plans),
     ("indoor", read_indoor),
@@ -83,6 +84,11 @@ fn read_plan(data: &[u8]) -> bool {
     // The reader goes by the ending, people by what is in it.
     let is_json = data.trim_ascii_start().starts_with(b"{");
     read_files(&[(if is_json { "plan.json" } else { "plan.yaml" }, data)], "")
+}
+
+/// A model of dragonfly or honeybee: both have the same keys at their outside.
+fn read_honeybee(data: &[u8]) -> bool {
+    read_files(&[("model.json", data)], "")
 }
 
 fn read_ifc(data: &[u8]) -> bool {

@@ -18,6 +18,7 @@ mod command_line {
     mod former_levels;
     mod guide;
     mod handbook;
+    mod honeybee;
     mod hostile_words;
     mod indoor;
     mod init;

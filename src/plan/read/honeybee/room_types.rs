@@ -26,7 +26,9 @@ impl Naming<'_> {
         let name = name_words(space.name.as_deref());
         let program = program_words(space);
         let formats = [NAME, "ifc"];
-        let types = [&name, &program].map(|words| type_of_words(self.words, &formats, words));
+        // The identifier is the name of rooms without another.
+        let own = if space.name.is_none() { name_words(Some(&space.identifier)) } else { Vec::new() };
+        let types = [&name, &own, &program].map(|words| type_of_words(self.words, &formats, words));
         let said = if program.is_empty() { name.join(" ") } else { program.join(" ") };
         if let Some(found) = most_telling(types.into_iter().flatten()) {
             return TypeOfWord::known(&said, found);
