@@ -96,7 +96,7 @@ fn read(path: &Path, words: &RoomWords) -> ReadResult {
     let mut naming = Naming { words, unknown: BTreeMap::new() };
     let mut drafted = Vec::new();
     let mut add = |id: String, name: Option<&String>, levels| {
-        let draft = BuildingDraft { name: name.cloned(), levels };
+        let draft = BuildingDraft { name: name.cloned(), levels, ..BuildingDraft::default() };
         drafted.push(DraftedBuilding { id, draft, is_settled: true, ..DraftedBuilding::default() });
     };
     let buildings = model.buildings.as_deref().unwrap_or_default();
