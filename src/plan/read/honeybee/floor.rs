@@ -35,7 +35,9 @@ pub(super) fn floor_parts<'a>(faces: impl Iterator<Item = (&'a Face3d, f64)>) ->
         return Err("has no floor".to_owned());
     }
     let corners = || parts.iter().flat_map(|part| part.holes.iter().chain([&part.outline]).flatten());
-    if corners().any(|corner| !(corner.abs().max_element() <= FARTHEST)) {
+    // No number is not near either.
+    let is_near = |corner: &Point| corner.is_finite() && corner.abs().max_element() <= FARTHEST;
+    if !corners().all(is_near) {
         return Err("has a floor nowhere on Earth".to_owned());
     }
     if parts.iter().all(|part| part.outline.len() < 3) {

@@ -33,8 +33,8 @@ const CLOSED_TYPES: [&str; 2] = ["shaft", "void"];
 /// All openings of a level; `rooms` are the drafts of its spaces.
 pub(super) fn openings(spaces: &[Space], rooms: &[RoomDraft], notes: &mut Notes) -> Vec<OpeningDraft> {
     let mut level = Level::of(spaces, rooms);
-    for number in 0..spaces.len() {
-        for edge in 0..spaces[number].edges.len() {
+    for (number, space) in spaces.iter().enumerate() {
+        for edge in 0..space.edges.len() {
             level.add_edge(number, edge, notes);
         }
     }
