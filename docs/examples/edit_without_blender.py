@@ -13,10 +13,10 @@ import sys
 from pathlib import Path
 from urllib.parse import quote, unquote
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-from blender.roomwright.glb import write_glb  # noqa: E402
-from blender.roomwright.identities import renew_identities  # noqa: E402
-from gltf_file import GltfFile  # noqa: E402
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "python"))
+from roomwright.blender.extension.glb import write_glb  # noqa: E402
+from roomwright.blender.extension.identities import renew_identities  # noqa: E402
+from roomwright.gltf_file import GltfFile  # noqa: E402
 
 
 class Floor:
