@@ -15,7 +15,7 @@ use crate::document::{Fault, Faults};
 const TEMPORARY_PREFIX: &str = ".roomwright-";
 
 /// The most bytes of a file that are read to see whether the program made it.
-const LARGEST_OWN: u64 = 1 << 30;
+pub(super) const LARGEST_OWN: u64 = 1 << 30;
 
 /// Which existing files may be overwritten.
 #[derive(Clone, Copy, Debug)]

@@ -11,7 +11,7 @@ use super::answer::{FaultAnswer, fault_answers};
 use super::arguments::NavigationArguments;
 use super::audit::level_files;
 use super::exit::Outcome;
-use super::files::{Overwrite, write_bytes};
+use super::files::{LARGEST_OWN, Overwrite, write_bytes};
 use super::screen::Screen;
 use crate::batch::catch_bug;
 use crate::catalog::{Catalog, load_catalog};
@@ -28,8 +28,6 @@ const VERSION: u32 = 1;
 const MESH: &str = ".navigation.json";
 const PICTURE: &str = ".occupancy.png";
 const MAP: &str = ".occupancy.yaml";
-/// The largest file that is taken for one that the command wrote.
-const LARGEST_OWN: u64 = 1 << 30;
 /// Rooms that are named in a line.
 const LISTED_ROOMS: usize = 5;
 

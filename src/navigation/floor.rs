@@ -3,7 +3,7 @@
 use crate::catalog::{Catalog, WalkingRules};
 use crate::geometry::{Bounds, Point};
 use crate::layout::{Furnished, solids};
-use crate::plan::{Level, OpeningKind, OpeningSide, Room};
+use crate::plan::{Level, OpeningKind, OpeningSide, Room, ring_surface, to_points};
 use crate::walk::is_in_the_way;
 
 use super::file::Agent;
@@ -146,8 +146,7 @@ impl<'a> LevelFloor<'a> {
         let floor = shape::of_region(&self.level.rooms[room].region);
         let floor = shape::union(floor.0.iter().chain(&strips));
         let near = |body: &Body, strip: &geo::Polygon<f64>| {
-            let box_of = strip.exterior().0.iter().map(|place| Point::new(place.x, place.y));
-            body.bounds.overlaps(Bounds::around(box_of), 0.0)
+            body.bounds.overlaps(Bounds::around(to_points(strip.exterior())), 0.0)
         };
         // What stands beyond a door is in the way as far as it stands before it: not through the wall.
         let beyond = doors.iter().zip(&strips).flat_map(|(door, strip)| {
@@ -155,10 +154,10 @@ impl<'a> LevelFloor<'a> {
             let bodies = others.filter_map(|side| self.bodies(side)).flatten();
             let bodies = bodies.filter(move |body| near(body, strip));
             bodies.flat_map(move |body| {
-                shape::common(&shape::of_ring(&body.footprint).into(), &strip.clone().into()).0
+                shape::common(&ring_surface(&body.footprint).into(), &strip.clone().into()).0
             })
         });
-        let own = bodies.iter().map(|body| shape::of_ring(&body.footprint));
+        let own = bodies.iter().map(|body| ring_surface(&body.footprint));
         let in_the_way: Vec<geo::Polygon<f64>> = own.chain(beyond).collect();
         let taken = shape::grown(&shape::union(&in_the_way), radius);
         shape::without(&shape::grown(&floor, -radius), &taken)
@@ -181,7 +180,8 @@ impl Threshold {
         let [a, b, c, d] = self.corners;
         let (back, on) = (-self.outward * by, self.outward * by);
         let hull = shape::around(&[a + back, b + back, c + on, d + on]);
-        hull.exterior().0.iter().skip(1).map(|place| Point::new(place.x, place.y)).collect()
+        // The last corner repeats the first.
+        to_points(hull.exterior()).split_off(1)
     }
 }
 

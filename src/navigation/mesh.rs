@@ -7,6 +7,7 @@ use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
 
 use crate::geometry::{Bounds, DisjointSets, Point};
+use crate::plan::ring_surface;
 
 use super::convex::{Convex, Corner, convex_parts, metres, sides, turn};
 use super::file::{Agent, MeshFile, MeshPolygon, MeshPortal, MeshRoom, Part};
@@ -42,18 +43,19 @@ pub fn mesh(building: &str, floor: &LevelFloor<'_>, agent: Agent) -> MeshFile {
         convex_parts(area).into_iter().map(move |polygon| (polygon, part.clone()))
     });
     let (polygons, parts): (Vec<Convex>, Vec<Part>) = room_parts.chain(opening_parts).unzip();
-    let islands = Islands::new(&polygons, &portals(&polygons));
-    let (polygons, parts): (Vec<Convex>, Vec<Part>) = polygons
-        .into_iter()
-        .zip(parts)
-        .enumerate()
-        .filter(|(index, _)| islands.has(*index))
-        .map(|(_, both)| both)
-        .unzip();
-    let portals = portals(&polygons);
-    let Islands { numbers, areas } = Islands::new(&polygons, &portals);
+    let mut portals = portals(&polygons);
+    let Islands { numbers, mut areas } = Islands::new(&polygons, &portals);
+    // The smallest islands are the last; a portal joins polygons of one island.
+    areas.truncate(areas.iter().skip(1).take_while(|area| **area >= LEAST_ISLAND).count() + 1);
+    let is_kept = |island: u32| (island as usize) < areas.len();
+    portals.retain(|portal| is_kept(numbers[portal.polygons[0] as usize]));
+    let new_numbers = numbers_among(numbers.iter().map(|&island| is_kept(island)));
+    for polygon in portals.iter_mut().flat_map(|portal| &mut portal.polygons) {
+        *polygon = new_numbers[*polygon as usize];
+    }
     let mut corners = Corners::default();
-    let polygons = polygons.iter().zip(parts).zip(numbers).map(|((polygon, part), island)| MeshPolygon {
+    let polygons = polygons.iter().zip(parts).zip(numbers).filter(|(_, island)| is_kept(*island));
+    let polygons = polygons.map(|((polygon, part), island)| MeshPolygon {
         corners: polygon.iter().map(|&corner| corners.index(corner)).collect(),
         part,
         island,
@@ -114,7 +116,7 @@ fn tiles(area: &Area, bounds: Bounds) -> Vec<Area> {
     }
     let tile = |index: usize| {
         let low = bounds.low + Point::new((index % columns) as f64, (index / columns) as f64) * TILE;
-        let square = shape::of_ring(&Bounds::new(low, low + Point::splat(TILE)).corners());
+        let square = ring_surface(&Bounds::new(low, low + Point::splat(TILE)).corners());
         shape::common(area, &square.into())
     };
     (0..columns * rows).map(tile).collect()
@@ -200,12 +202,16 @@ impl Islands {
             areas: order.iter().map(|&(_, doubled)| rounded(doubled as f64 / 2e6)).collect(),
         }
     }
+}
 
-    /// Whether a polygon is on an island that is large enough.
-    fn has(&self, polygon: usize) -> bool {
-        let island = self.numbers[polygon] as usize;
-        island == 0 || self.areas[island] >= LEAST_ISLAND
-    }
+/// The number of each item among those that are kept; of others, that of the next one.
+fn numbers_among(are_kept: impl Iterator<Item = bool>) -> Vec<u32> {
+    let number = |next: &mut u32, is_kept: bool| {
+        let number = *next;
+        *next += u32::from(is_kept);
+        Some(number)
+    };
+    are_kept.scan(0, number).collect()
 }
 
 fn number(index: usize) -> u32 {

@@ -99,22 +99,14 @@ fn around_free(raster: &Raster, reach: usize) -> Vec<u8> {
 
 /// A line in which everything so near to a true place is true.
 fn spread(line: &[bool], reach: usize) -> Vec<bool> {
-    let mut wide = vec![false; line.len()];
-    let mut left = 0;
-    for (index, &is_true) in line.iter().enumerate() {
-        left = if is_true { reach + 1 } else { left };
-        if left > 0 {
-            wide[index] = true;
-            left -= 1;
+    let mut wide = line.to_vec();
+    let mut start = 0;
+    for run in line.chunk_by(|before, after| before == after) {
+        let end = start + run.len();
+        if run[0] {
+            wide[start.saturating_sub(reach)..(end + reach).min(line.len())].fill(true);
         }
-    }
-    let mut left = 0;
-    for (index, &is_true) in line.iter().enumerate().rev() {
-        left = if is_true { reach + 1 } else { left };
-        if left > 0 {
-            wide[index] = true;
-            left -= 1;
-        }
+        start = end;
     }
     wide
 }

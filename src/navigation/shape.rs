@@ -6,7 +6,7 @@ use geo::algorithm::buffer::{BufferStyle, LineJoin};
 use geo::{BooleanOps, Buffer, ConvexHull, MultiPoint, MultiPolygon, Polygon, unary_union};
 
 use crate::geometry::{Point, Region};
-use crate::plan::{to_line, to_surface};
+use crate::plan::to_surface;
 
 /// An area of the floor; parts may have holes.
 pub(super) type Area = MultiPolygon<f64>;
@@ -18,11 +18,6 @@ const ARC: f64 = FRAC_PI_4;
 /// The floor of a room.
 pub(super) fn of_region(region: &Region) -> Area {
     to_surface(&region.outline, &region.holes).into()
-}
-
-/// The area within a ring.
-pub(super) fn of_ring(corners: &[Point]) -> Polygon<f64> {
-    Polygon::new(to_line(corners), Vec::new())
 }
 
 /// The convex area around some places.

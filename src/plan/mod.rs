@@ -38,7 +38,7 @@ pub use building::{
 };
 #[cfg(test)]
 pub(crate) use building::{HANDLE_LENGTH, HANDLE_REACH, LEAF_DEPTH};
-pub(crate) use clean::{to_line, to_surface};
+pub(crate) use clean::{ring_surface, to_points, to_surface};
 pub use draft::{
     BuildingDraft, LeafDraft, LevelDraft, ObstacleDraft, OpeningDraft, OpeningPlace, OutlineKind, Problem,
     RoomDraft, Subject,

@@ -4,6 +4,7 @@ use geo::algorithm::buffer::{BufferStyle, LineJoin};
 use geo::{BooleanOps, Buffer};
 
 use crate::geometry::{Point, Polygon, Segment, edges, ring_contains, signed_area};
+use crate::plan::ring_surface;
 
 use super::disc::is_simple;
 use super::facade::{Around, Facade, look_out};
@@ -122,8 +123,8 @@ fn with_courts(ring: Ring, holes: &[Ring]) -> Vec<(Ring, Vec<Ring>)> {
     if !own.iter().any(crosses) {
         return vec![(ring, own)];
     }
-    let courts: Vec<geo::Polygon<f64>> = own.iter().map(|hole| surface(hole)).collect();
-    let floor = surface(&ring).difference(&geo::unary_union(&courts));
+    let courts: Vec<geo::Polygon<f64>> = own.iter().map(|hole| ring_surface(hole)).collect();
+    let floor = ring_surface(&ring).difference(&geo::unary_union(&courts));
     let ring_of = |line: &geo::LineString<f64>| {
         let mut corners: Ring = line.0.iter().map(|coord| on_grid(Point::new(coord.x, coord.y))).collect();
         corners.pop();
@@ -143,18 +144,13 @@ fn with_courts(ring: Ring, holes: &[Ring]) -> Vec<(Ring, Vec<Ring>)> {
     parts.filter(|(ring, _)| is_sound(ring)).collect()
 }
 
-fn surface(ring: &[Point]) -> geo::Polygon<f64> {
-    let line = geo::LineString::from_iter(ring.iter().map(|corner| geo::Coord { x: corner.x, y: corner.y }));
-    geo::Polygon::new(line, Vec::new())
-}
-
 /// A ring whose edges move outwards by some metres, inwards if below zero; several where it falls apart, none if nothing is left.
 fn moved(ring: &Ring, by: f64) -> Vec<Ring> {
     if let Some(mitred) = mitred(ring, by) {
         return vec![mitred];
     }
     let style = BufferStyle::new(by).line_join(LineJoin::Miter(std::f64::consts::FRAC_PI_6));
-    let parts = surface(ring).buffer_with_style(style);
+    let parts = ring_surface(ring).buffer_with_style(style);
     let rings = parts.0.iter().map(|part| {
         let corners: Ring =
             part.exterior().0.iter().map(|coord| on_grid(Point::new(coord.x, coord.y))).collect();

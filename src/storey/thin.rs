@@ -6,6 +6,7 @@ use geo::algorithm::buffer::{BufferStyle, LineJoin};
 use geo::{BooleanOps, Buffer};
 
 use crate::geometry::{Point, Segment, edges, ring_contains};
+use crate::plan::ring_surface;
 
 use super::disc::is_simple;
 use super::dwelling::Cell;
@@ -174,8 +175,7 @@ pub(super) fn has_slivers(faces: &[Segment]) -> bool {
 /// Square metres of the largest part that no disc as wide as the narrowest part of use reaches: what an opening by that disc takes
 /// off (Serra, Image Analysis and Mathematical Morphology, 1982).
 fn largest_sliver(ring: &[Point]) -> f64 {
-    let line = ring.iter().map(|corner| geo::Coord { x: corner.x, y: corner.y }).collect();
-    let room = geo::MultiPolygon::new(vec![geo::Polygon::new(line, Vec::new())]);
+    let room = geo::MultiPolygon::new(vec![ring_surface(ring)]);
     let moved = |shape: &geo::MultiPolygon<f64>, by: f64| {
         shape.buffer_with_style(BufferStyle::new(by).line_join(LineJoin::Round(ARC)))
     };

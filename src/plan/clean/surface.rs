@@ -11,13 +11,18 @@ pub(crate) fn to_surface(outline: &Polygon, holes: &[Polygon]) -> geo::Polygon<f
     geo::Polygon::new(line(outline), holes.iter().map(line).collect())
 }
 
+/// The area within a ring for the `geo` crate.
+pub(crate) fn ring_surface(corners: &[Point]) -> geo::Polygon<f64> {
+    geo::Polygon::new(to_line(corners), Vec::new())
+}
+
 /// A ring for the `geo` crate.
-pub(crate) fn to_line(corners: &[Point]) -> LineString<f64> {
+pub(in crate::plan) fn to_line(corners: &[Point]) -> LineString<f64> {
     LineString::from_iter(corners.iter().map(|corner| Coord { x: corner.x, y: corner.y }))
 }
 
 /// The points of a ring of the `geo` crate, with its closing point.
-pub(in crate::plan) fn to_points(line: &LineString<f64>) -> Vec<Point> {
+pub(crate) fn to_points(line: &LineString<f64>) -> Vec<Point> {
     line.0.iter().map(|coord| Point::new(coord.x, coord.y)).collect()
 }
 

@@ -1,9 +1,10 @@
 //! The floor of a honeybee room, seen from above: one face as it is drawn, or what several cover together.
 
-use geo::{Area, Coord, LineString, MultiPolygon, unary_union};
+use geo::{Area, LineString, MultiPolygon, unary_union};
 
 use super::schema::Face3d;
-use crate::geometry::{Point, Segment};
+use crate::geometry::{Point, Segment, edges};
+use crate::plan::clean::{ring_surface, to_line, to_points};
 
 /// Coordinates in metres beyond these are no place, and break the clipping.
 const FARTHEST: f64 = 1e8;
@@ -59,9 +60,7 @@ fn flat(face: &Face3d, unit: f64) -> Part {
 }
 
 fn joined(parts: &[Part]) -> Vec<Part> {
-    let line = |ring: &Vec<Point>| {
-        LineString::from_iter(ring.iter().map(|corner| Coord { x: corner.x, y: corner.y }))
-    };
+    let line = |ring: &Vec<Point>| to_line(ring);
     let surfaces: Vec<geo::Polygon> = parts
         .iter()
         .filter(|part| part.outline.len() > 2)
@@ -73,10 +72,8 @@ fn joined(parts: &[Part]) -> Vec<Part> {
     let MultiPolygon(mut found) = unary_union(surfaces.iter().flatten().chain(&seams));
     found.retain(|part| part.unsigned_area() >= LEAST_PART);
     found.sort_by(|one, two| two.unsigned_area().total_cmp(&one.unsigned_area()));
-    let ring = |line: &LineString| -> Vec<Point> {
-        // The last corner repeats the first.
-        line.0.iter().skip(1).map(|coord| Point::new(coord.x, coord.y)).collect()
-    };
+    // The last corner repeats the first.
+    let ring = |line: &LineString| to_points(line).split_off(1);
     let part = |part: &geo::Polygon| Part {
         outline: ring(part.exterior()),
         holes: part.interiors().iter().map(ring).collect(),
@@ -86,19 +83,14 @@ fn joined(parts: &[Part]) -> Vec<Part> {
 
 /// Strips over the gaps between faces whose edges run beside each other, which would be slits through the floor.
 fn seams(parts: &[Part]) -> Vec<geo::Polygon> {
-    let edges: Vec<Vec<Segment>> = parts.iter().map(|part| edges(&part.outline)).collect();
+    let long_edges = |part: &Part| edges(&part.outline).filter(|edge| edge.length() > SEAM).collect();
+    let edges: Vec<Vec<Segment>> = parts.iter().map(long_edges).collect();
     let mut seams = Vec::new();
     for (number, own) in edges.iter().enumerate() {
         let others = || edges[number + 1..].iter().flatten();
         seams.extend(own.iter().flat_map(|edge| others().filter_map(|other| seam(*edge, *other))));
     }
     seams
-}
-
-fn edges(ring: &[Point]) -> Vec<Segment> {
-    let next = ring.iter().cycle().skip(1);
-    let edges = ring.iter().zip(next).map(|(&start, &end)| Segment::new(start, end));
-    edges.filter(|edge| edge.length() > SEAM).collect()
 }
 
 fn seam(edge: Segment, other: Segment) -> Option<geo::Polygon> {
@@ -115,9 +107,7 @@ fn seam(edge: Segment, other: Segment) -> Option<geo::Polygon> {
     }
     let side = along.perp() * (gap + SEAM);
     let (start, end) = (edge.start + along * low, edge.start + along * high);
-    let corners = [start - side, end - side, end + side, start + side];
-    let ring = LineString::from_iter(corners.map(|corner| Coord { x: corner.x, y: corner.y }));
-    Some(geo::Polygon::new(ring, Vec::new()))
+    Some(ring_surface(&[start - side, end - side, end + side, start + side]))
 }
 
 #[cfg(test)]

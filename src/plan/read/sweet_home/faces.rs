@@ -5,7 +5,7 @@ use geo::{Area, BooleanOps, MultiPolygon, unary_union};
 use super::walls::Body;
 use crate::geometry::{Bounds, Point, Segment, edges, ring_contains, signed_area};
 use crate::plan::assemble::BoxIndex;
-use crate::plan::clean::{largest_part, to_line, to_points};
+use crate::plan::clean::{largest_part, ring_surface, to_points};
 
 /// Square metres of the smallest enclosed area that is a room rather than a shaft or a gap between walls.
 const SMALLEST_ROOM: f64 = 0.5;
@@ -90,7 +90,7 @@ impl<'a> Bodies<'a> {
         }
         let bounds = Bounds::around(outline.iter().copied());
         let walls = joined(self.near(bounds));
-        let rest = geo::Polygon::new(to_line(outline), Vec::new()).difference(&walls);
+        let rest = ring_surface(outline).difference(&walls);
         let (part, _) = largest_part(rest).filter(|(part, _)| part.unsigned_area() >= SMALLEST_ROOM)?;
         Some(Space {
             outline: to_points(part.exterior()),
@@ -119,7 +119,6 @@ fn is_room(outline: &[Point]) -> bool {
 }
 
 fn joined<'a>(bodies: impl Iterator<Item = &'a Body>) -> MultiPolygon<f64> {
-    let surfaces: Vec<geo::Polygon<f64>> =
-        bodies.map(|body| geo::Polygon::new(to_line(&body.outline), Vec::new())).collect();
+    let surfaces: Vec<geo::Polygon<f64>> = bodies.map(|body| ring_surface(&body.outline)).collect();
     unary_union(&surfaces)
 }
