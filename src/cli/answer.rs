@@ -12,6 +12,8 @@ use super::navigation::NavigationAnswer;
 #[cfg(test)]
 use super::plan::{PlanAnswer, ReportFile};
 #[cfg(test)]
+use super::version::VersionAnswer;
+#[cfg(test)]
 use super::walk::WalkAnswer;
 use crate::audit::AuditSummary;
 #[cfg(test)]
@@ -407,6 +409,7 @@ pub(crate) fn answer_schemas() -> Vec<(&'static str, schemars::Schema)> {
         ("navigation", schemars::schema_for!(NavigationAnswer)),
         ("plan", schemars::schema_for!(PlanAnswer)),
         ("plan-report", schemars::schema_for!(ReportFile)),
+        ("version", schemars::schema_for!(VersionAnswer)),
         ("walk", schemars::schema_for!(WalkAnswer)),
     ]
 }

@@ -35,11 +35,13 @@ mod summary;
 mod tiles;
 mod update;
 mod usage;
+mod version;
 mod view;
 mod walk;
 mod watch;
 
 use clap::Parser;
+use clap::error::ErrorKind;
 
 use arguments::{Arguments, Command};
 pub use exit::Outcome;
@@ -57,6 +59,9 @@ pub fn run() -> Outcome {
 fn run_command() -> Outcome {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
+        Err(error) if is_about_version(&error) => {
+            return version::show(Screen { is_quiet: false, is_json: true });
+        }
         Err(error) => return usage::show(error),
     };
     let screen = Screen { is_quiet: arguments.manner.quiet, is_json: arguments.manner.json };
@@ -81,6 +86,11 @@ fn run_command() -> Outcome {
         Command::Completions(arguments) => man::run_completions(arguments, screen),
         Command::Man(arguments) => man::run_man(&arguments, screen),
     }
+}
+
+/// Whether `--version` was asked for as JSON.
+fn is_about_version(error: &clap::Error) -> bool {
+    error.kind() == ErrorKind::DisplayVersion && version::asks_for_json(std::env::args_os())
 }
 
 /// The action without arguments: the program bakes the demo, so that the first result a new user sees
