@@ -106,7 +106,7 @@ impl<'a> Surroundings<'a> {
             let regions = surroundings.regions_of(opening, side, rules, swings);
             let cause = Cause::Opening(side.opening);
             surroundings.kept_free.extend(regions.into_iter().map(|solid| KeptFree { solid, cause }));
-            let leaves = leaves_inward(opening, &room.walls[side.wall]);
+            let leaves = opening.leaves_into(&room.walls[side.wall]);
             surroundings.swings.extend(leaves.flat_map(|leaf| swept(leaf, Swings::Simple)));
             if opening.kind == OpeningKind::Window {
                 let from = opening.bottom + rules.windows.over_sill;
@@ -161,7 +161,7 @@ impl<'a> Surroundings<'a> {
                 // As the audit measures it: no deeper than the door is wide. Deeper would empty small bathrooms.
                 let depth = rules.doors.approach_depth.min(side.to - side.from);
                 let mut regions = vec![strip(depth, 0.0), strip(FRAME_DEPTH, FRAME_WIDTH)];
-                for leaf in leaves_inward(opening, &self.room.walls[side.wall]) {
+                for leaf in opening.leaves_into(&self.room.walls[side.wall]) {
                     let sectors = swept(leaf, swings).into_iter();
                     regions.extend(sectors.map(|base| Solid::new(base, 0.0, opening.top)));
                     regions.extend(standing_open(leaf, opening.top));
@@ -170,12 +170,6 @@ impl<'a> Surroundings<'a> {
             }
         }
     }
-}
-
-/// The leaves of an opening that open into the room of a wall.
-fn leaves_inward<'a>(opening: &'a Opening, wall: &Wall) -> impl Iterator<Item = &'a Leaf> {
-    let inward = wall.normal();
-    opening.leaves.iter().filter(move |leaf| (leaf.open_tip - leaf.hinge).dot(inward) > 0.0)
 }
 
 /// Adds boxes to a grid by number.

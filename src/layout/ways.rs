@@ -27,7 +27,7 @@ pub(crate) fn clear_ways(environment: &mut Environment<'_>, key: &RoomKey) -> us
         let ways = all_closed_ways(environment);
         let in_the_way = who_goes(environment, &ways);
         if in_the_way.is_empty() {
-            return ways.len();
+            return count_musts(&ways);
         }
         for ClosedWay { way, .. } in &ways {
             let half = Point::splat(way.width / 2.0);
@@ -47,7 +47,12 @@ pub(crate) fn clear_ways(environment: &mut Environment<'_>, key: &RoomKey) -> us
     if !environment.brief.alternative.suggestions.is_empty() {
         leave_out(environment, &closed_ways, key);
     }
-    closed_ways.len()
+    count_musts(&closed_ways)
+}
+
+/// Closed ways that somebody must be able to go.
+fn count_musts(ways: &[ClosedWay]) -> usize {
+    ways.iter().filter(|closed| !closed.is_past_leaf).count()
 }
 
 /// Leaves out who is asked to go, where pieces stand at suggested places and the ways to all others cannot be cleared by
@@ -72,7 +77,7 @@ fn leave_out(environment: &mut Environment<'_>, closed_ways: &[ClosedWay], key: 
 
 /// The agents that should leave the ways, without those that the room cannot do without.
 fn who_can_be_missed(environment: &Environment<'_>, ways: &[ClosedWay]) -> Vec<AgentIndex> {
-    let mut going = who_goes(environment, ways);
+    let mut going = who_goes(environment, ways.iter().filter(|closed| !closed.is_past_leaf));
     going.retain(|&agent| !environment.has_required(agent));
     going
 }
@@ -82,29 +87,53 @@ struct ClosedWay {
     way: Way,
     /// The agent to whose side it leads; none if it leads to a door.
     owner: Option<AgentIndex>,
+    /// Whether it is open as soon as somebody shuts a door.
+    is_past_leaf: bool,
 }
 
-/// The closed ways of people who walk, and of wheelchairs where the style asks for these.
+/// The closed ways of people who walk, of those who walk past doors that stand open, and of wheelchairs where the style asks for
+/// these.
 fn all_closed_ways(environment: &Environment<'_>) -> Vec<ClosedWay> {
     let rules = &environment.brief.catalog.audit;
     let floors = environment.brief.empty_floors;
-    let mut ways = closed_ways(environment, &rules.walking, floors.walking());
-    if environment.brief.style.access == Access::Wheelchair {
+    let mut ways = Vec::new();
+    if let Some(empty) = floors.walking() {
+        let floor = empty.with(&rules.walking, environment.solids());
+        ways.extend(closed_ways(environment, &rules.walking, [&floor, empty]));
+        ways.extend(closed_ways_past_leaves(environment, &floor));
+    }
+    if let (Access::Wheelchair, Some(empty)) = (environment.brief.style.access, floors.wheelchair()) {
         // Where the plan is too narrow for a wheelchair, the width of a person is asked for.
         let wheelchair = WalkingRules {
             person: rules.access.walkway,
             narrow_person: rules.walking.person,
             ..rules.walking
         };
-        ways.extend(closed_ways(environment, &wheelchair, floors.wheelchair()));
+        let floor = empty.with(&wheelchair, environment.solids());
+        ways.extend(closed_ways(environment, &wheelchair, [&floor, empty]));
     }
     ways
 }
 
-/// The ways to doors, and to sides that people stand at, that resting agents close.
-fn closed_ways(environment: &Environment<'_>, rules: &WalkingRules, empty: Option<&Floor>) -> Vec<ClosedWay> {
-    let Some(empty) = empty else { return Vec::new() };
-    let floor = empty.with(rules, environment.solids());
+/// The ways that are closed while doors stand open, on a floor on which they are shut. Where the plan leaves no way beside a leaf, none
+/// is asked for.
+fn closed_ways_past_leaves(environment: &Environment<'_>, shut: &Floor) -> Vec<ClosedWay> {
+    let rules = &environment.brief.catalog.audit.walking;
+    let Some(leaves) = environment.brief.empty_floors.open_leaves() else { return Vec::new() };
+    if !environment.solids().any(|solid| leaves.are_near(rules, solid)) {
+        return Vec::new();
+    }
+    let rules = WalkingRules { narrow_person: rules.person, ..*rules };
+    let ways = closed_ways(environment, &rules, [&leaves.opened(shut, &rules), leaves.floor()]);
+    ways.into_iter().map(|closed| ClosedWay { is_past_leaf: true, ..closed }).collect()
+}
+
+/// The ways to doors, and to sides that people stand at, that resting agents close on a floor; the second is that of the empty room.
+fn closed_ways(
+    environment: &Environment<'_>,
+    rules: &WalkingRules,
+    [floor, empty]: [&Floor; 2],
+) -> Vec<ClosedWay> {
     let cells = floor.cell_count() as u64;
     environment.count_steps(cells / CELLS_A_STEP);
     let walking = &environment.brief.catalog.audit.walking;
@@ -112,24 +141,28 @@ fn closed_ways(environment: &Environment<'_>, rules: &WalkingRules, empty: Optio
     let areas = areas.map(|(owner, solid)| (Some(owner), Goal::Area(solid.footprint())));
     let doors = floor.doors().map(|door| (None, Goal::Door(door)));
     let (owners, goals): (Vec<Option<AgentIndex>>, Vec<Goal<'_>>) = doors.chain(areas).unzip();
-    let ways = blocked_ways(&floor, empty, rules, &goals);
+    let ways = blocked_ways(floor, empty, rules, &goals);
     if !ways.is_empty() {
         environment.count_steps(cells / CELLS_OF_WAYS_A_STEP);
     }
-    ways.into_iter().map(|way| ClosedWay { owner: owners[way.goal], way }).collect()
+    ways.into_iter().map(|way| ClosedWay { owner: owners[way.goal], way, is_past_leaf: false }).collect()
 }
 
 /// The agents that should leave the ways: at each narrow place the agent that reaches farthest into it, unless one that goes
 /// already was in its way. Where only pieces at suggested places are in the way to somebody's side, that one goes: they
 /// leave all ways open that the room cannot do without.
-fn who_goes(environment: &Environment<'_>, ways: &[ClosedWay]) -> Vec<AgentIndex> {
+fn who_goes<'w>(
+    environment: &Environment<'_>,
+    ways: impl IntoIterator<Item = &'w ClosedWay>,
+) -> Vec<AgentIndex> {
     let mut going: BTreeSet<AgentIndex> = BTreeSet::new();
-    let places = ways.iter().flat_map(|closed| closed.way.narrows.iter().map(move |&place| (closed, place)));
-    for (ClosedWay { way, owner }, place) in places {
+    let places =
+        ways.into_iter().flat_map(|closed| closed.way.narrows.iter().map(move |&place| (closed, place)));
+    for (ClosedWay { way, owner, is_past_leaf }, place) in places {
         let mut near = who_is_near(environment, place, way.width / 2.0 - CONTACT_TOLERANCE);
         near.retain(|&agent, _| !is_locked(environment, agent));
-        if way.width > environment.brief.catalog.audit.walking.person {
-            // A wide way is a wish: nobody goes for it whom the room cannot do without.
+        if *is_past_leaf || way.width > environment.brief.catalog.audit.walking.person {
+            // A wide way is a wish, and one past a leaf is: nobody goes for it whom the room cannot do without.
             near.retain(|&agent, _| !environment.has_required(agent));
         }
         if near.keys().any(|agent| going.contains(agent)) {

@@ -330,6 +330,14 @@ pub struct Leaf {
     pub open_tip: Point,
 }
 
+impl Opening {
+    /// The leaves that open into the room of a wall.
+    pub(crate) fn leaves_into<'a>(&'a self, wall: &Wall) -> impl Iterator<Item = &'a Leaf> + use<'a> {
+        let inward = wall.normal();
+        self.leaves.iter().filter(move |leaf| (leaf.open_tip - leaf.hinge).dot(inward) > 0.0)
+    }
+}
+
 impl Leaf {
     /// The floor under a leaf that stands open, then under its handle on that side: counter-clockwise corners. The leaf is
     /// behind the line from hinge to free end, as the sector that it sweeps is before it. None for a leaf without length.

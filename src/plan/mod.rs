@@ -31,13 +31,14 @@ mod words;
 mod write_native;
 
 pub use assemble::assemble_level;
+pub(crate) use building::LEAF_DEPTH;
 pub use building::{
     Building, FRAME_DEPTH, FRAME_WIDTH, HANDLE_HEIGHTS, Home, Leaf, Level, Obstacle, Opening, OpeningKind,
     OpeningSide, PIPES_TAG, PlacedBuilding, Plan, PlanSource, Room, RoomOpening, SitePlacement, Wall,
     WallKind,
 };
 #[cfg(test)]
-pub(crate) use building::{HANDLE_LENGTH, HANDLE_REACH, LEAF_DEPTH};
+pub(crate) use building::{HANDLE_LENGTH, HANDLE_REACH};
 pub(crate) use clean::{ring_surface, to_points, to_surface};
 pub use draft::{
     BuildingDraft, LeafDraft, LevelDraft, ObstacleDraft, OpeningDraft, OpeningPlace, OutlineKind, Problem,

@@ -49,10 +49,8 @@ fn with_bounds(zone: Vec<Point>) -> (Vec<Point>, Bounds) {
 /// The floor under leaves that stand open in the room, beside the ways through their doors.
 fn open_leaves(empty: &EmptyRoom<'_>) -> impl Iterator<Item = Vec<Point>> {
     empty.at.room.openings.iter().flat_map(move |place| {
-        let normal = empty.at.room.walls[place.wall].normal();
-        let leaves = empty.at.level.openings[place.opening].leaves.iter();
-        let inward = leaves.filter(move |leaf| (leaf.open_tip - leaf.hinge).dot(normal) > 0.0);
-        inward.filter_map(Leaf::standing_open).flatten().map(|base| base.to_vec())
+        let leaves = empty.at.level.openings[place.opening].leaves_into(&empty.at.room.walls[place.wall]);
+        leaves.filter_map(Leaf::standing_open).flatten().map(|base| base.to_vec())
     })
 }
 

@@ -7,6 +7,7 @@ use crate::catalog::AuditRules;
 use crate::plan::RoomRef;
 
 use super::floor::Floor;
+use super::leaves::OpenLeaves;
 
 /// The floors of an empty room, for people and for wheelchairs: each is made where it is first asked for, and serves all
 /// arrangements of the room.
@@ -15,13 +16,15 @@ pub(crate) struct EmptyFloors<'a> {
     at: RoomRef<'a>,
     rules: &'a AuditRules,
     walking: OnceCell<Option<Rc<Floor>>>,
+    open_leaves: OnceCell<Option<OpenLeaves>>,
     wheelchair: OnceCell<Option<Rc<Floor>>>,
 }
 
 impl<'a> EmptyFloors<'a> {
     /// Those of a room.
     pub(crate) fn new(at: RoomRef<'a>, rules: &'a AuditRules) -> Self {
-        Self { at, rules, walking: OnceCell::new(), wheelchair: OnceCell::new() }
+        let (walking, open_leaves, wheelchair) = (OnceCell::new(), OnceCell::new(), OnceCell::new());
+        Self { at, rules, walking, open_leaves, wheelchair }
     }
 
     /// The room.
@@ -32,6 +35,12 @@ impl<'a> EmptyFloors<'a> {
     /// The floor for people; `None` where no door leads in.
     pub(crate) fn walking(&self) -> Option<&Floor> {
         self.walking.get_or_init(|| Floor::empty(self.at, &self.rules.walking)).as_deref()
+    }
+
+    /// The floor for people while doors stand open; `None` where no door has a leaf that opens into the room.
+    pub(crate) fn open_leaves(&self) -> Option<&OpenLeaves> {
+        let make = || OpenLeaves::new(self.at, self.walking()?, &self.rules.walking);
+        self.open_leaves.get_or_init(make).as_ref()
     }
 
     /// The floor for wheelchairs; `None` where no door leads in.

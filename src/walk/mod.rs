@@ -10,6 +10,7 @@ mod empty;
 mod floor;
 mod gaps;
 mod known;
+mod leaves;
 mod queue;
 mod raster;
 mod way;

@@ -63,6 +63,7 @@ mod crooked;
 mod doors;
 mod facing;
 mod halves;
+mod open_leaf;
 mod programme;
 mod reach;
 mod screens;
@@ -153,6 +154,8 @@ table! {
     WetRoom: "wet_room", Failed, [FreeDepth, Distance], "wet_rooms", wet_room::check;
     /// A double bed with one side to get in where the room allows two.
     Bedside: "bedside", Minor, [Count], "beds", bedside::check;
+    /// Furniture beside a door that stands open closes the way to a door or to a side that is used.
+    OpenLeaf: "open_leaf", Minor, [Width], "walking", open_leaf::check;
     /// Nearly all furniture in one half of the room.
     CrowdedHalf: "crowded_half", Minor, [Share], "balance", halves::check;
     /// Wall furniture that is not parallel to its wall, in a tidy style.

@@ -99,7 +99,7 @@ fn explain(subject: &Subject<'_>, floor: &Floor, home: usize, missed: &[Target<'
 }
 
 /// The floor that people need at an object; a door has none of its own.
-fn region(subject: &Subject<'_>, target: Target<'_>) -> Vec<FloorRegion> {
+pub(crate) fn region(subject: &Subject<'_>, target: Target<'_>) -> Vec<FloorRegion> {
     match target {
         Target::Door(_) => Vec::new(),
         Target::Side(_, owner) => {
