@@ -11,7 +11,7 @@ from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 
-from .environment import BLENDER, CONVERSION, TOOLS, Environment, require_for_manual
+from .environment import BLENDER, CONVERSION, DRAWINGS, TOOLS, Environment, require_for_manual
 
 
 def validate() -> int:
@@ -20,6 +20,10 @@ def validate() -> int:
 
 def convert() -> int:
     return start("convert", CONVERSION)
+
+
+def dxf_to_plan() -> int:
+    return start("dxf_to_plan", DRAWINGS)
 
 
 def cluster() -> int:

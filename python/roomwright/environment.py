@@ -31,6 +31,7 @@ class Environment(NamedTuple):
 TOOLS = Environment(".venv", ("numpy", "shapely", "trimesh", "pxr", "tqdm", "jsonschema", "PIL"),
                     "source scripts/set_up.sh && set_up_python", "validate")
 CONVERSION = TOOLS._replace(modules=("numpy", "shapely", "pxr", "tqdm", "jsonschema", "PIL"), extra="usd")
+DRAWINGS = TOOLS._replace(modules=("numpy", "shapely", "ezdxf", "yaml"), extra="dxf")
 PLANS = TOOLS._replace(modules=("numpy", "shapely", "tqdm", "yaml"))
 PICTURES = Environment(".venv-render", ("numpy", "bpy", "PIL"),
                        "python3.11 -m venv .venv-render && "
