@@ -8,7 +8,8 @@ from pathlib import Path
 from .drawing import Drawn, Sorting, file_name, layers_of, open_drawing, unit_of
 from .faults import Report, UnreadableError
 from .layer_map import LayerMap
-from .openings import Opening, Rooms, openings_of
+from .openings import Opening, Rooms, at_walls, openings_of
+from .panes import joined_panes
 from .rooms import Room, labels_of, name_rooms, rooms_of, types_of
 from .shapes import Point, Scale
 from .walls import DRAWN_INSIDE, obstacles, open_boundaries, walls_of
@@ -48,7 +49,7 @@ def read_level(path: Path, layer_map: LayerMap, chord_error: float, report: Repo
     level = Level(path, scale.metres, rooms, types_of(rooms, layer_map.room_types, report))
     among = Rooms(rooms)
     for role in ("doors", "windows"):
-        level.openings += openings_of(found.get(role, []), role, among, scale, report)
+        level.openings += at_walls(joined_panes(openings_of(found.get(role, []), role, among, scale, report)), among, report)
     add_walls(level, found, scale, layer_map, report)
     if sorting.budget.left < 0:
         report.error(None, "has too many entities on the layers of the map, those of blocks counted; the rest is left out",

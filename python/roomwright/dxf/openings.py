@@ -1,6 +1,6 @@
 """Doors and windows of a level, from what is drawn on their layers.
 
-An inserted block is one opening. Of other entities, those that touch each other are one. An arc is the swing of a leaf: its middle
+What an opening is drawn of is a group (`groups`). An arc is the swing of a leaf: its middle
 is the hinge, its radius the width of the leaf, and of its two ends the one in the wall is where the leaf shuts.
 
        open end +-.
@@ -18,20 +18,15 @@ from dataclasses import dataclass
 
 import numpy as np
 from ezdxf.entities.arc import Arc
-from ezdxf.entities.dxfgfx import DXFGraphic
-from ezdxf.entities.lwpolyline import LWPolyline
-from ezdxf.entities.polyline import Polyline
-from shapely import LineString, MultiLineString, MultiPoint, Polygon, STRtree, union_all
+from shapely import LineString, MultiPoint, Polygon, STRtree
 from shapely import Point as Location
-from shapely.geometry.base import BaseGeometry
 
-from .drawing import Drawn, parts_of
+from .drawing import Drawn
 from .faults import Place, Report
+from .groups import Group, groups_of
 from .rooms import Room
-from .shapes import FARTHEST, MARKS, Point, Scale, ShapeError, shapes_of
+from .shapes import FARTHEST, Point, Scale
 
-# Metres between entities of one opening.
-TOUCHING = 0.02
 # Metres that an opening may be wide, and a leaf.
 OPENING_WIDTH, LEAF_WIDTH = (0.2, 20.0), (0.3, 2.5)
 # Radians that a leaf swings.
@@ -117,87 +112,20 @@ def openings_of(found: Iterable[Drawn], role: str, rooms: Rooms, scale: Scale, r
         read = openings_of_group(group, role, rooms, scale)
         if isinstance(read, str):
             report.error(group.place, read)
-            continue
-        for opening in read:
-            if abs(rooms.depth(opening.middle)) <= REACH:
-                openings.append(opening)
-            else:
-                report.warning(opening.place, f"this {opening.kind.replace('_', ' ')} is at no wall of a room, and is left out")
+        else:
+            openings += read
     return openings
 
 
-@dataclass(frozen=True)
-class Group:
-    """What one or more openings are drawn of."""
-
-    lines: tuple[tuple[Point, ...], ...]
-    arcs: tuple[tuple[Arc, Place], ...]
-    place: Place
-
-    @property
-    def points(self) -> list[Point]:
-        return [point for line in self.lines for point in line]
-
-    def area(self) -> BaseGeometry:
-        """Where others belong to it. The swing of a leaf is none: leaves of several doors swing across the same floor."""
-        points = MultiPoint(self.points)
-        if not self.arcs:
-            return points.convex_hull
-        lines = [line for line in self.lines if len(line) > 1]
-        return MultiLineString(lines) if lines else points
-
-
-def groups_of(found: Iterable[Drawn], scale: Scale, report: Report) -> list[Group]:
-    """Each block by itself, other entities joined where they touch."""
-    singles: list[Group] = []
-    blocks: list[Group] = []
-    for drawn in found:
-        group = group_of(drawn, scale)
-        if isinstance(group, str):
-            report.error(drawn.place(), group)
-        elif group is not None:
-            (blocks if drawn.entity.dxftype() == "INSERT" else singles).append(group)
-    return blocks + joined(singles)
-
-
-def group_of(drawn: Drawn, scale: Scale) -> Group | str | None:
-    """What an entity is drawn of; None for texts and the like, a reason for what has no shape."""
-    lines: list[tuple[Point, ...]] = []
-    arcs: list[tuple[Arc, Place]] = []
-    reason = None
-    parts = parts_of(drawn)
-    for part in parts:
-        try:
-            lines += [shape.line() for shape in shapes_of(part, scale)]
-            arcs += [(arc, drawn.place()) for arc in arcs_of(part.entity)]
-        except ShapeError as error:
-            reason = str(error) if part.entity.dxftype() not in MARKS else reason
-    if lines:
-        return Group(tuple(lines), tuple(arcs), drawn.place(scale.drawn_at(lines[0][0])))
-    return None if reason is None and parts else reason or "the block is empty"
-
-
-def arcs_of(part: DXFGraphic) -> list[Arc]:
-    """An arc, or the arcs of a polyline with bulges."""
-    if isinstance(part, Arc):
-        return [part]
-    if isinstance(part, (LWPolyline, Polyline)) and part.has_arc:
-        return [piece for piece in part.virtual_entities() if isinstance(piece, Arc)]
-    return []
-
-
-def joined(groups: list[Group]) -> list[Group]:
-    """Groups that touch become one, in the order of their first."""
-    if not groups:
-        return []
-    areas = [group.area().buffer(TOUCHING / 2) for group in groups]
-    union = union_all(areas)
-    tree = STRtree(list(getattr(union, "geoms", [union])))
-    members: dict[int, list[Group]] = {}
-    for group, area in zip(groups, areas):
-        members.setdefault(int(tree.nearest(area.representative_point())), []).append(group)
-    return [Group(tuple(line for group in each for line in group.lines), tuple(arc for group in each for arc in group.arcs),
-                  each[0].place) for each in members.values()]
+def at_walls(openings: list[Opening], rooms: Rooms, report: Report) -> list[Opening]:
+    """The openings that lie at a wall of a room; the others are reported."""
+    kept = []
+    for opening in openings:
+        if abs(rooms.depth(opening.middle)) <= REACH:
+            kept.append(opening)
+        else:
+            report.warning(opening.place, f"this {opening.kind.replace('_', ' ')} is at no wall of a room, and is left out")
+    return kept
 
 
 def openings_of_group(group: Group, role: str, rooms: Rooms, scale: Scale) -> list[Opening] | str:
@@ -307,3 +235,10 @@ def extent(points: Iterable[Point], along: Point) -> tuple[float, float]:
 def place_of(ahead: float, across: float, along: Point) -> Point:
     """The point at these metres in a direction and to its left."""
     return (ahead * along[0] - across * along[1], ahead * along[1] + across * along[0])
+
+
+def ends_of(opening: Opening) -> tuple[Point, Point]:
+    """The ends of an opening, on the line through its middle."""
+    half = opening.width / 2
+    x, y = opening.middle
+    return ((x - opening.along[0] * half, y - opening.along[1] * half), (x + opening.along[0] * half, y + opening.along[1] * half))

@@ -6,13 +6,12 @@ import json
 import math
 import os
 import tempfile
-from collections import Counter
 from pathlib import Path
 
 from .layer_map import LayerMap
 from .level import Level
 from .openings import Opening
-from .rooms import Room
+from .rooms import Room, distinct_ids
 from .shapes import Point
 
 # Metres of the grid that a plan's origin lies on: a plan near the drawing's origin keeps its coordinates, and one that grows keeps
@@ -51,9 +50,8 @@ def level_lines(level: Level, level_id: str, layer_map: LayerMap, origin: Point)
     lines = [f"- id: {json.dumps(level_id, ensure_ascii=False)}"]
     if layer_map.level_height is not None:
         lines.append(f"  height: {number(layer_map.level_height)}")
-    ids = dict(zip([id(room) for room in level.rooms], distinct_ids([room.id for room in level.rooms])))
     lines.append("  rooms:")
-    lines += [f"  - {flow(room_entry(room, ids[id(room)], level.types[room.id], origin))}" for room in level.rooms]
+    lines += [f"  - {flow(room_entry(room, level.types[room.id], origin))}" for room in level.rooms]
     if level.openings:
         lines.append("  openings:")
         entry_ids = distinct_ids([f"{opening.kind}-{opening.place.handle}" for opening in level.openings])
@@ -64,18 +62,8 @@ def level_lines(level: Level, level_id: str, layer_map: LayerMap, origin: Point)
     return lines
 
 
-def distinct_ids(ids: list[str]) -> list[str]:
-    """Ids that stand several times get a number: a block may hold several rooms, and an entity several doors."""
-    counts: Counter[str] = Counter()
-    distinct = []
-    for each in ids:
-        counts[each] += 1
-        distinct.append(each if counts[each] == 1 else f"{each}.{counts[each]}")
-    return distinct
-
-
-def room_entry(room: Room, room_id: str, room_type: str, origin: Point) -> dict[str, object]:
-    entry: dict[str, object] = {"id": room_id}
+def room_entry(room: Room, room_type: str, origin: Point) -> dict[str, object]:
+    entry: dict[str, object] = {"id": room.id}
     if room.name:
         entry["name"] = room.name
     entry |= {"type": room_type, "outline": moved(list(room.polygon.exterior.coords[:-1]), origin)}

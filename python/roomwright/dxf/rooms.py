@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
@@ -38,11 +39,8 @@ class Room:
 
     polygon: Polygon
     place: Place
+    id: str = ""
     names: list[str] = field(default_factory=list)
-
-    @property
-    def id(self) -> str:
-        return f"room-{self.place.handle}"
 
     @property
     def name(self) -> str:
@@ -71,7 +69,20 @@ def rooms_of(found: Iterable[Drawn], scale: Scale, report: Report) -> list[Room]
         rooms += [room for shape in shapes if (room := room_of(shape, scale, report)) is not None]
     if len(rooms) > MOST_ROOMS:
         report.error(None, f"has {len(rooms)} rooms, of which {MOST_ROOMS} are read")
-    return without_overlaps(rooms[:MOST_ROOMS], scale, report)
+    kept = without_overlaps(rooms[:MOST_ROOMS], scale, report)
+    for room, room_id in zip(kept, distinct_ids([f"room-{room.place.handle}" for room in kept])):
+        room.id = room_id
+    return kept
+
+
+def distinct_ids(ids: list[str]) -> list[str]:
+    """Ids that stand several times get a number: a block may hold several rooms, and an entity several doors."""
+    counts: Counter[str] = Counter()
+    distinct = []
+    for each in ids:
+        counts[each] += 1
+        distinct.append(each if counts[each] == 1 else f"{each}.{counts[each]}")
+    return distinct
 
 
 def room_of(shape: Shape, scale: Scale, report: Report) -> Room | None:

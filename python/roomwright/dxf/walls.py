@@ -12,7 +12,7 @@ from shapely.ops import linemerge
 
 from .drawing import Drawn, parts_of
 from .faults import Place, Report
-from .openings import Opening, halfway, unit
+from .openings import Opening, ends_of, halfway, unit
 from .rooms import Room
 from .shapes import CURVES, Point, Scale, ShapeError, shapes_of
 
@@ -107,12 +107,6 @@ def open_boundaries(rooms: list[Room], walls: Walls, openings: list[Opening]) ->
             rest = shared.difference(union_all(closed)) if closed else shared
             found += [boundary_of(line, room, rooms[other]) for line in straight_lines(rest)]
     return found
-
-
-def ends_of(opening: Opening) -> tuple[Point, Point]:
-    half = opening.width / 2
-    x, y = opening.middle
-    return ((x - opening.along[0] * half, y - opening.along[1] * half), (x + opening.along[0] * half, y + opening.along[1] * half))
 
 
 def straight_lines(shared: BaseGeometry) -> list[tuple[Point, Point]]:
