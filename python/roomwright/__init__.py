@@ -9,7 +9,7 @@
                 print(level.name, room.id, piece.class_name, piece.position, piece.size)
 
 `bake` runs the program `roomwright`; `Bake.open` reads a finished bake. Both need Python's standard library alone. The other
-parts are modules with extras of their own: `roomwright.validate`, `roomwright.convert`, `roomwright.blender`, and
+parts are modules with extras of their own: `roomwright.validate`, `roomwright.convert`, `roomwright.dxf_to_plan`, `roomwright.blender`, and
 `roomwright.cluster`.
 
 Places are in the frame of the plan: metres, x east, y north, z up from the level's floor (see `records`).

@@ -97,6 +97,8 @@ def make_plan(options: argparse.Namespace) -> int:
     """Reads everything, then writes the plan. Raises UnreadableError and OSError."""
     if options.out is not None and options.out.exists() and not options.force:
         raise UnreadableError(f"{options.out}: is there already; hint: --force overwrites it")
+    if options.out is not None and not options.out.parent.is_dir():
+        raise UnreadableError(f"{options.out.parent}: is no folder; hint: make it first")
     layer_map, map_report = read_layer_map(options.layers)
     if map_report.errors:
         say(lines_of([map_report]))

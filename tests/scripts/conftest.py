@@ -23,11 +23,14 @@ NEED_TOOLS = ["test_convert.py", "test_hostile_files.py", "test_judge*.py", "tes
               "test_usd_*.py", "test_validate*.py"]
 PLAN_TOOLS = ("shapely", "tqdm", "yaml")
 LACKS_OF_PLANS = [module for module in PLAN_TOOLS if importlib.util.find_spec(module) is None]
-collect_ignore_glob = (NEED_TOOLS if LACKS else []) + (["test_check_plans.py", "test_plan_statistics.py"] if LACKS_OF_PLANS else [])
+DRAWING_TOOLS = ("ezdxf", "shapely", "yaml")
+LACKS_OF_DRAWINGS = [module for module in DRAWING_TOOLS if importlib.util.find_spec(module) is None]
+collect_ignore_glob = [*(NEED_TOOLS if LACKS else []), *(["test_check_plans.py", "test_plan_statistics.py"] if LACKS_OF_PLANS else []),
+                       *(["test_dxf_*.py"] if LACKS_OF_DRAWINGS else [])]
 
 
 def pytest_report_header() -> str:
-    lacks = sorted({*LACKS, *LACKS_OF_PLANS})
+    lacks = sorted({*LACKS, *LACKS_OF_PLANS, *LACKS_OF_DRAWINGS})
     left_out = f"left out, for {', '.join(lacks)} is not installed: {', '.join(collect_ignore_glob)}"
     return left_out if lacks else "all tests of scripts"
 

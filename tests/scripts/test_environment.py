@@ -10,7 +10,7 @@ from conftest import ROOT
 
 from roomwright import environment as environments
 
-TOOLS = ("validate.py", "convert.py")
+TOOLS = ("validate.py", "convert.py", "dxf_to_plan.py")
 PICTURES = ("render.py", "gallery.py", "contact_sheet.py")
 
 
@@ -77,7 +77,7 @@ def test_the_command_that_is_named_is_there():
     assert (ROOT / "scripts" / "requirements-render.txt").is_file()
 
 
-@pytest.mark.parametrize("module, extra", [("validate", "validate"), ("convert", "usd"), ("blender.import_command", "blender")])
+@pytest.mark.parametrize("module, extra", [("validate", "validate"), ("convert", "usd"), ("dxf_to_plan", "dxf"), ("blender.import_command", "blender")])
 def test_an_installed_package_names_the_extra_that_it_lacks(installed, module, extra):
     done = subprocess.run([sys.executable, "-S", "-m", f"roomwright.{module}", "out"], cwd=installed, capture_output=True, text=True,
                           timeout=60)
@@ -95,19 +95,20 @@ def test_a_module_goes_on_in_the_environment_that_is_set_up(project):
     assert done.stdout == "-m roomwright.validate out\n"
 
 
-@pytest.mark.parametrize("module, environment", [("validate", environments.TOOLS), ("convert", environments.CONVERSION)])
+@pytest.mark.parametrize("module, environment", [("validate", environments.TOOLS), ("convert", environments.CONVERSION),
+                                                 ("dxf_to_plan", environments.DRAWINGS)])
 def test_a_command_asks_for_every_module_that_it_imports(module, environment):
-    absent = sorted({*environments.TOOLS.modules, "bpy", "mujoco", "ray", "yaml"} - set(environment.modules))
+    absent = sorted({*environments.TOOLS.modules, "bpy", "ezdxf", "mujoco", "ray", "yaml"} - set(environment.modules))
     code = f"import sys; sys.modules.update(dict.fromkeys({absent})); import roomwright.{module}"
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT / "python", capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
 
 
-@pytest.mark.parametrize("environment", [environments.TOOLS, environments.CONVERSION])
+@pytest.mark.parametrize("environment", [environments.TOOLS, environments.CONVERSION, environments.DRAWINGS])
 def test_an_extra_installs_every_module_of_its_command(environment):
     extras = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]
     wanted = extras[environment.extra]
     wanted = [*wanted, *(extras["usd"] if "roomwright[usd]" in wanted else [])]
-    named = {"pxr": "usd-core", "PIL": "Pillow"}
+    named = {"pxr": "usd-core", "PIL": "Pillow", "yaml": "PyYAML"}
     missing = [module for module in environment.modules if not any(line.startswith(named.get(module, module) + ">") for line in wanted)]
     assert missing == []

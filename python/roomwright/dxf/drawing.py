@@ -7,8 +7,9 @@ import stat
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
-from itertools import islice, takewhile
+from itertools import chain, takewhile
 from pathlib import Path
+from typing import TypeVar
 
 from ezdxf.document import Drawing
 from ezdxf.entities.dxfgfx import DXFGraphic
@@ -19,11 +20,13 @@ from ezdxf.lldxf.const import DXFError
 from .faults import Place, Report, UnreadableError
 from .layer_map import UNITS
 
+DXFCopy = TypeVar("DXFCopy", bound=DXFGraphic)
+
 # Bytes of a drawing; floors of offices have some ten million.
 MOST_BYTES = 2**28
-# Entities and control points of curves that are looked at, those in blocks as often as the blocks are inserted. An entity costs as
-# much as some points.
-MOST_WORK, ENTITY_WORK = 10_000_000, 10
+# Entities and control points of curves that are looked at, those in blocks as often as the blocks are inserted. An entity that a block
+# is copied for costs more than one that is there.
+MOST_WORK, COPY_WORK = 1_000_000, 10
 # Blocks within blocks; those of people are two or three deep.
 MOST_DEPTH = 12
 # What stands for a whole, however many entities its block has.
@@ -41,7 +44,7 @@ class Budget:
 
     left: int = MOST_WORK
 
-    def spend(self, work: int = ENTITY_WORK) -> bool:
+    def spend(self, work: int = COPY_WORK) -> bool:
         """Whether there was so much left."""
         self.left -= work
         return self.left >= 0
@@ -119,7 +122,7 @@ def unit_of(document: Drawing, path: Path, asked: str | None) -> float:
 def layers_of(document: Drawing) -> dict[str, Counter[str]]:
     """The layers that hold something in the model space or in blocks, with the number of entities of each kind."""
     found: dict[str, Counter[str]] = {}
-    for container in (document.modelspace(), *document.blocks):
+    for container in document.blocks:
         if container.name.lower().startswith("*paper_space"):
             continue
         for entity in container:
@@ -139,12 +142,19 @@ class Sorting:
     with_roles: dict[str, bool] = field(default_factory=dict)  # blocks in which any layer may have a role
 
     def sort(self) -> dict[str, list[Drawn]]:
+        """The entities of each role. Raises UnreadableError if the drawing asks for too much."""
         self._walk(self.document.modelspace(), None, 0)
+        self.refuse_overspent()
         return self.found
+
+    def refuse_overspent(self) -> None:
+        if self.budget.left < 0:
+            raise UnreadableError(f"{self.report.file}: has too many entities on the layers of the map, those of blocks counted\n"
+                                  "  hint: export the layers of the plan alone")
 
     def _walk(self, entities: Iterable[DXFGraphic], insert: Drawn | None, depth: int) -> None:
         for entity in entities:
-            if not self.budget.spend():
+            if not self.budget.spend(COPY_WORK if depth else 1):
                 return
             if entity.dxf.get("invisible", 0):
                 continue
@@ -165,9 +175,7 @@ class Sorting:
         if depth >= MOST_DEPTH:
             self.report.error(drawn.place(), f"blocks lie more than {MOST_DEPTH} deep in each other")
             return
-        for single in singles(entity):
-            if not self.budget.spend():
-                return
+        for single in bounded(singles(entity), self.budget):
             self._walk(single.virtual_entities(), drawn, depth + 1)
 
     def _may_hold_roles(self, name: str, layer: str) -> bool:
@@ -183,11 +191,16 @@ class Sorting:
 
 
 def singles(insert: Insert) -> Iterator[Insert]:
-    """The insertions that a grid of insertions stands for, one by one, as many as anybody pays for."""
+    """The insertions that a grid of insertions stands for, one by one."""
     if insert.mcount > 1:
-        yield from islice(insert.multi_insert(), MOST_WORK)
+        yield from insert.multi_insert()
     else:
         yield insert
+
+
+def bounded(copies: Iterable[DXFCopy], budget: Budget) -> Iterator[DXFCopy]:
+    """Copies as long as the budget lasts."""
+    return takewhile(lambda _: budget.spend(), copies)
 
 
 def parts_of(drawn: Drawn) -> list[Drawn]:
@@ -201,8 +214,8 @@ def parts_of(drawn: Drawn) -> list[Drawn]:
         if not isinstance(entity, Insert):
             parts.append(replace(drawn, entity=entity))
         elif depth < MOST_DEPTH:
-            inside = (part for single in singles(entity) if drawn.budget.spend() for part in single.virtual_entities())
-            waiting.extend((part, depth + 1) for part in takewhile(lambda _: drawn.budget.spend(), inside))
+            inside = chain.from_iterable(single.virtual_entities() for single in bounded(singles(entity), drawn.budget))
+            waiting.extend((part, depth + 1) for part in bounded(inside, drawn.budget))
     return parts
 
 

@@ -51,9 +51,7 @@ def read_level(path: Path, layer_map: LayerMap, chord_error: float, report: Repo
     for role in ("doors", "windows"):
         level.openings += at_walls(joined_panes(openings_of(found.get(role, []), role, among, scale, report)), among, report)
     add_walls(level, found, scale, layer_map, report)
-    if sorting.budget.left < 0:
-        report.error(None, "has too many entities on the layers of the map, those of blocks counted; the rest is left out",
-                     "export the layers of the plan alone")
+    sorting.refuse_overspent()
     return level
 
 

@@ -21,6 +21,8 @@ from .shapes import MARKS, MOST_CORNERS, Point, Scale, Shape, ShapeError, shapes
 
 # Square metres under which an outline is a mark and no room.
 LEAST_AREA = 0.05
+# Metres of the longest side that the program takes (src/plan/limits.rs).
+LARGEST_SIDE = 1_000.0
 # Square metres that two outlines may share: lines are drawn by hand.
 OVERLAP = 0.05
 # Share of the smaller outline from which on two are the same, drawn twice.
@@ -98,6 +100,11 @@ def room_of(shape: Shape, scale: Scale, report: Report) -> Room | None:
         report.error(shape.place, "encloses nothing")
         return None
     polygon = Polygon(shape.points)
+    west, south, east, north = polygon.bounds
+    if max(east - west, north - south) > LARGEST_SIDE:
+        report.error(shape.place, f"an outline of {east - west:.6g} by {north - south:.6g} m is no room",
+                     "is the unit right? --unit names another")
+        return None
     if not polygon.is_valid:
         report.error(shape.place, f"the outline crosses or touches itself{crossing_of(polygon, scale)}")
         return None
