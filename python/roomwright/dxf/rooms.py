@@ -29,6 +29,8 @@ OVERLAP = 0.05
 SAME = 0.98
 # Letters of a name that the program takes with ease.
 LONGEST_NAME = 100
+# Letters of a text, and of a line of it, that are looked at.
+LONGEST_TEXT, LONGEST_LINE = 2_000, 200
 # A size, or a number alone: "13.5 m2", "NRF: 12,30 m²", "2.04". Such a text is no name.
 SIZE = re.compile(r"(?:[A-Za-z]{0,4}\s*[:=]?\s*)?[\d.,'’ ]+\s*(?:m2|m²|m\^2|qm|sq\.?\s?m|sq\.?\s?ft|sf|ft2|ft²|m|cm|mm)\.?", re.IGNORECASE)
 # Rooms of a drawing, and pairs of rooms with meeting boxes that are compared.
@@ -182,7 +184,7 @@ def labels_of(found: Iterable[Drawn], scale: Scale) -> list[Label]:
             if at is None:
                 continue
             point = scale.point(at.x, at.y)
-            lines = [line.strip() for line in plain(entity).splitlines()]
+            lines = [line.strip()[:LONGEST_LINE] for line in plain(entity)[:LONGEST_TEXT].splitlines()]
             labels += [Label(line, point, drawn.place(scale.drawn_at(point))) for line in lines if is_name(line)]
     return labels
 
