@@ -1,1 +1,1 @@
-"""The parts of site.py: links of pages, their check, and the site's source."""
+"""The parts of build_site.py: links of pages, their check, and the site's source."""

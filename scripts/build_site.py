@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Builds the documentation as one site with mdBook, and checks its links: python scripts/site.py [--out FOLDER]
+"""Builds the documentation as one site with mdBook, and checks its links: python scripts/build_site.py [--out FOLDER]
 
 The pages stay where they are: docs/site/SUMMARY.md is the table of contents, docs/site/book.toml the settings. --links checks the pages
 alone, without mdBook. mdBook (MPL 2.0) is taken from the path or from target/tools; --install installs it there with cargo.
@@ -74,11 +74,11 @@ def main(arguments: list[str] | None = None) -> int:
             install()
         mdbook = find_mdbook()
         if mdbook is None:
-            print("site: there is no mdbook; hint: --install installs it into target/tools", file=sys.stderr)
+            print("build_site: there is no mdbook; hint: --install installs it into target/tools", file=sys.stderr)
             return 3
         faults = build(options.out, mdbook, options.repository.rstrip("/") if options.repository else None)
     except (SiteError, OSError, subprocess.CalledProcessError) as error:
-        print(f"site: {error}", file=sys.stderr)
+        print(f"build_site: {error}", file=sys.stderr)
         return 2
     print("\n".join(faults) if faults else f"{options.out}: {len(pages_of(ROOT))} pages", file=sys.stderr if faults else sys.stdout)
     return 1 if faults else 0
