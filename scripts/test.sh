@@ -96,6 +96,18 @@ wheel() {
   .venv/bin/python -m maturin build --release --quiet --out "$work/wheel"
 }
 
+# The documentation as a site, where there is mdBook to build it; pytest checks the links of its pages without.
+site() {
+  local status=0
+  .venv/bin/python scripts/build_site.py --out "$work/site" || status=$?
+  if [ "$status" -eq 3 ]; then
+    echo "skipped: the site of the documentation needs it"
+    return
+  fi
+  [ "$status" -eq 0 ]
+  passed=$((passed + 1))
+}
+
 # The newcomer's walk from a plan to kept edits, in Blender where there is one; its page and edits file are looked at.
 walk() {
   ROOMWRIGHT_PROGRAM=$top/target/release/roomwright bash docs/walkthrough.sh "$work/walkthrough"
@@ -165,6 +177,7 @@ step "validate.py (tiles)" checked tiles
 step "convert.py" checked .venv/bin/python scripts/convert.py "$work/release" --out "$work/usd"
 step "validate.py (USD)" checked .venv/bin/python scripts/validate.py "$work/usd"
 step "docs/walkthrough.sh" checked walk
+step "The site of the documentation" site
 step "Viewers" viewers
 step "Tiles in viewers" tile_viewers
 step "The page of roomwright view" viewer

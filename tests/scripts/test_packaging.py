@@ -112,7 +112,7 @@ def test_what_cannot_be_made_is_said(tmp_path, arguments, message):
 
 
 class TestWorkflows:
-    @pytest.mark.parametrize("name", ["release.yml", "test.yml"])
+    @pytest.mark.parametrize("name", ["release.yml", "test.yml", "pages.yml"])
     def test_steps_run_files_that_are_there(self, name):
         text = (ROOT / ".github" / "workflows" / name).read_text(encoding="utf-8")
         steps = [step for job in yaml.safe_load(text)["jobs"].values() for step in job["steps"]]

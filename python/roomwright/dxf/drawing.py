@@ -31,7 +31,7 @@ MOST_WORK, COPY_WORK = 1_000_000, 10
 MOST_DEPTH = 12
 # What stands for a whole, however many entities its block has.
 WHOLE_ROLES = ("room_names", "doors", "windows", "columns")
-# Words for the codes of $INSUNITS (DXF Reference of AutoCAD 2018, HEADER section) whose unit plans are drawn in.
+# The codes of $INSUNITS whose unit plans are drawn in (Autodesk, AutoCAD help, "INSUNITS (System Variable)").
 INSUNITS = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m", 14: "dm"}
 BINARY_SENTINEL = b"AutoCAD Binary DXF"
 # The layer that takes the layer of its block's insertion, and that on which nothing is a part of a drawing.
