@@ -98,6 +98,20 @@ class TestRooms:
         outline = by_name(read(folder, drawing))["Bedroom"]["outline"]
         assert len(outline) > 8 and Polygon(outline).area < 15
 
+    def test_closed_splines_without_ends_are_curves_through_their_inner_knots(self, folder):
+        drawing = flat()
+        controls = rectangle(0, 10_000, 4000, 4000)
+        drawing.modelspace().add_spline(dxfattribs={"layer": "A-AREA"}).set_closed([(*corner, 0) for corner in controls], degree=3)
+        drawing.modelspace().add_text("Bedroom", dxfattribs={"layer": "A-AREA-IDEN", "insert": (2000, 12_000)})
+        outline = Polygon(by_name(read(folder, drawing))["Bedroom"]["outline"])
+        # The blending functions of uniform cubic B-splines.
+        exact = []
+        for index, step in ((index, step / 100) for index in range(4) for step in range(100)):
+            weights = ((1 - step)**3, 3 * step**3 - 6 * step**2 + 4, -3 * step**3 + 3 * step**2 + 3 * step + 1, step**3)
+            near = [controls[(index + shift) % 4] for shift in range(4)]
+            exact.append(tuple(sum(weight * corner[axis] for weight, corner in zip(weights, near)) / 6000 for axis in (0, 1)))
+        assert outline.boundary.hausdorff_distance(Polygon([(x + 1000, y) for x, y in exact]).boundary) <= 0.01
+
     def test_an_outline_in_another_is_cut_out_of_it(self, folder):
         drawing = flat()
         closed(drawing.modelspace(), rectangle(500, 500, 1000, 1000), "A-AREA")
@@ -117,6 +131,12 @@ class TestRooms:
         added = by_name(read(folder, drawing)).keys() - by_name(read(folder, plain)).keys()
         assert added == {"WC"}
         assert Polygon(by_name(read(folder, drawing))["WC"]["outline"]).bounds == pytest.approx((1017, 0, 1020, 2))
+
+    def test_may_have_their_names_on_their_own_layer(self, folder):
+        drawing = flat()
+        for text in drawing.modelspace().query("TEXT MTEXT"):
+            text.dxf.layer = "A-AREA"
+        assert by_name(read(folder, drawing)).keys() == {"Living room", "Küche", "Hall 0.03", "Study", "BATH"}
 
     def test_take_the_words_of_the_layer_map_first(self, folder):
         (folder / "map.yaml").write_text(LAYERS + "room_types: {STUDY: library, 'living room 2': lobby}\n", encoding="utf-8")

@@ -71,6 +71,13 @@ def test_a_command_without_its_modules_names_its_extra(clean):
     assert done.returncode == 2 and done.stderr.endswith('-m pip install "roomwright[validate]"\n'), done.stderr
 
 
+def test_a_reader_of_drawings_names_its_extra_and_has_its_words(clean):
+    done = clean.run("roomwright-dxf-to-plan plan.dxf --layers layers.yaml")
+    assert done.returncode == 2 and done.stderr.endswith('-m pip install "roomwright[dxf]"\n'), done.stderr
+    code = "import pathlib, roomwright; print((pathlib.Path(roomwright.__file__).parent / 'dxf' / 'room_words.yaml').read_text('utf-8'))"
+    assert clean.run(f"python -c {shlex.quote(code)}").stdout.strip() == (ROOT / "configs" / "room_words.yaml").read_text("utf-8").strip()
+
+
 def test_an_installed_validator_finds_its_schemas(clean):
     wheel = Path(WHEEL).resolve()
     installed = clean.run(f'python -m pip install -q "{wheel}[validate]"')

@@ -22,6 +22,7 @@ from shapely import Point as Location
 
 from .drawing import Drawn
 from .faults import Place
+from .splines import periodic_points, polygon_of
 
 Point = tuple[float, float]
 
@@ -89,7 +90,7 @@ def shapes_of(drawn: Drawn, scale: Scale) -> list[Shape]:
 def shape_of(path: Path, drawn: Drawn, scale: Scale) -> Shape:
     points = flattened(path, scale)
     if isinstance(drawn.entity, Spline):
-        points = corners_of(drawn.entity, scale) or points
+        points = points_of_spline(drawn.entity, scale) or points
     gap = math.dist(points[0], points[-1])
     is_closed = gap <= CLOSED_GAP or is_flagged_closed(drawn.entity)
     place = drawn.place(scale.drawn_at(points[0]))
@@ -145,18 +146,11 @@ def flattened(path: Path, scale: Scale) -> list[Point]:
     return flat
 
 
-def corners_of(spline: Spline, scale: Scale) -> list[Point] | None:
-    """The corners of a polygon that was exported as a spline of degree 2: its control points are corner, middle, corner, and so on.
-
-    Such splines are straight between their corners only if their knots are double; exporters write other knots, and mean the polygon.
-    """
-    controls = [scale.point(float(x), float(y)) for x, y, _ in spline.control_points]
-    if spline.dxf.degree != 2 or len(controls) < 5 or len(controls) % 2 == 0:
-        return None
-    middles = zip(controls[:-2:2], controls[1::2], controls[2::2])
-    is_polygon = all(math.dist(middle, ((start[0] + end[0]) / 2, (start[1] + end[1]) / 2)) <= scale.chord_error
-                     for start, middle, end in middles)
-    return controls[::2] if is_polygon else None
+def points_of_spline(spline: Spline, scale: Scale) -> list[Point] | None:
+    """The points of a spline that `make_path` reads in another way; None for usual ones."""
+    error = scale.chord_error / 2 / scale.metres
+    points = polygon_of(spline, 2 * error) or periodic_points(spline, error, MOST_POINTS)
+    return points and [scale.point(*point) for point in points]
 
 
 def bounds_of(points: Iterable[Point]) -> tuple[Point, Point]:
