@@ -27,7 +27,7 @@ from .environment import DRAWINGS, require
 
 require(DRAWINGS, __name__)
 
-from .dxf.drawing import layers_of, open_drawing
+from .dxf.drawing import damaged, layers_of, open_drawing
 from .dxf.faults import Report, UnreadableError, lines_of
 from .dxf.layer_map import UNITS, LayerMap, read_layer_map
 from .dxf.level import Level, read_level
@@ -85,6 +85,8 @@ def read_levels(options: argparse.Namespace, layer_map: LayerMap) -> tuple[list[
             levels.append(read_level(path, layer_map, options.chord_error, report))
         except UnreadableError as error:
             unreadable.append(str(error))
+        except Exception as error:  # a damaged drawing can raise anything, and may not hide the faults of the others
+            unreadable.append(damaged(path, f"a value in it is not of its kind, {type(error).__name__}: {error}"))
     return levels, reports, unreadable
 
 

@@ -130,10 +130,10 @@ class TestFiles:
         lines = whole[start:].split(b"\n")
         draw = random.Random(7)
         codes = []
-        for _ in range(60):
+        for _ in range(200):
             damaged = list(lines)
             for _ in range(draw.randint(1, 6)):
-                damaged[draw.randrange(len(damaged) - 3)] = draw.choice([b"nan", b"1e300", b"-7", b"", b"INSERT", b"999999", b"\xff\xfe"])
+                damaged[draw.randrange(len(damaged) - 3)] = draw.choice([b"nan", b"1e300", b"-7", b"", b"INSERT", b"999999", b"0", b"\xff\xfe"])
             (folder / "flat.dxf").write_bytes(whole[:start] + b"\n".join(damaged))
             code = run(folder, "--force")
             codes.append(code)

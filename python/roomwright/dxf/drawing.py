@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from ezdxf.document import Drawing
+from ezdxf.entities.dxfentity import DXFEntity
 from ezdxf.entities.dxfgfx import DXFGraphic
 from ezdxf.entities.insert import Insert
 from ezdxf.filemanagement import readfile
@@ -125,9 +126,14 @@ def layers_of(document: Drawing) -> dict[str, Counter[str]]:
     for container in document.blocks:
         if container.name.lower().startswith("*paper_space"):
             continue
-        for entity in container:
+        for entity in graphics(container):
             found.setdefault(entity.dxf.layer, Counter())[entity.dxftype()] += 1
     return found
+
+
+def graphics(entities: Iterable[DXFEntity]) -> Iterator[DXFGraphic]:
+    """Entities of kinds that are known; those of other programs have no layer that can be asked for."""
+    return (entity for entity in entities if isinstance(entity, DXFGraphic))
 
 
 @dataclass
@@ -152,8 +158,8 @@ class Sorting:
             raise UnreadableError(f"{self.report.file}: has too many entities on the layers of the map, those of blocks counted\n"
                                   "  hint: export the layers of the plan alone")
 
-    def _walk(self, entities: Iterable[DXFGraphic], insert: Drawn | None, depth: int) -> None:
-        for entity in entities:
+    def _walk(self, entities: Iterable[DXFEntity], insert: Drawn | None, depth: int) -> None:
+        for entity in graphics(entities):
             if not self.budget.spend(COPY_WORK if depth else 1):
                 return
             if entity.dxf.get("invisible", 0):
@@ -186,7 +192,7 @@ class Sorting:
             self.with_roles[name] = block is not None and any(
                 entity.dxf.layer in self.roles
                 or isinstance(entity, Insert) and self._may_hold_roles(entity.dxf.name, entity.dxf.layer)
-                for entity in block)
+                for entity in graphics(block))
         return self.with_roles[name]
 
 
@@ -215,7 +221,7 @@ def parts_of(drawn: Drawn) -> list[Drawn]:
             parts.append(replace(drawn, entity=entity))
         elif depth < MOST_DEPTH:
             inside = chain.from_iterable(single.virtual_entities() for single in bounded(singles(entity), drawn.budget))
-            waiting.extend((part, depth + 1) for part in bounded(inside, drawn.budget))
+            waiting.extend((part, depth + 1) for part in bounded(graphics(inside), drawn.budget))
     return parts
 
 
