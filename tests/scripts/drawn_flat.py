@@ -26,7 +26,6 @@ layers:
   walls: [A-WALL, A-WALL-*]
   columns: S-COLS
 """
-HANDLES = ("kitchen", "living", "bath", "hall", "study")
 
 
 def rectangle(x: float, y: float, width: float, depth: float) -> list[tuple[float, float]]:

@@ -14,9 +14,9 @@ from .openings import Opening
 from .rooms import Room, distinct_ids
 from .shapes import Point
 
-# Metres of the grid that a plan's origin lies on: a plan near the drawing's origin keeps its coordinates, and one that grows keeps
-# those that it has.
-ORIGIN_GRID = 1000.0
+# Metres from the drawing's origin within which a plan keeps its coordinates, and the grid on which the origin of others lies, so that
+# a plan that grows keeps those that it has.
+NEAR_ORIGIN, ORIGIN_GRID = 10_000.0, 1_000.0
 # Decimals of metres and of directions: a tenth of a millimetre.
 DECIMALS = 4
 
@@ -40,8 +40,10 @@ def plan_text(levels: list[Level], layer_map: LayerMap, chord_error: float) -> s
 
 
 def origin_of(levels: list[Level]) -> Point:
-    """The corner of the grid south-west of all rooms, in metres in the frame of the drawings."""
+    """The origin of the plan, in metres in the frame of the drawings: theirs, or the corner of the grid south-west of far rooms."""
     bounds = [room.polygon.bounds for level in levels for room in level.rooms]
+    if all(abs(value) <= NEAR_ORIGIN for bound in bounds for value in bound):
+        return (0.0, 0.0)
     west, south = min(bound[0] for bound in bounds), min(bound[1] for bound in bounds)
     return (math.floor(west / ORIGIN_GRID) * ORIGIN_GRID, math.floor(south / ORIGIN_GRID) * ORIGIN_GRID)
 
