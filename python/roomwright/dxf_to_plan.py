@@ -9,6 +9,7 @@ Each drawing is a level of one building, the lowest first. The layer map says by
   - windows: blocks, or what is drawn of each
   - walls: where none is drawn between rooms that share an edge, these are open to each other; walls in a room are obstacles
   - columns: closed outlines, which are obstacles
+  - railings: outlines and lines, along which rooms have railings instead of walls
 Nothing is recognised: without outlines of rooms nothing is read. docs/importing.md has a layer map that works.
 
 --list-layers lists the layers of drawings with what they hold, to write a map from.

@@ -25,6 +25,7 @@ layers:
   windows: a-glaz
   walls: [A-WALL, A-WALL-*]
   columns: S-COLS
+  railings: A-FLOR-HRAL
 """
 
 
@@ -58,6 +59,9 @@ def flat(unit: int = 4) -> Drawing:
         closed(space, corners, "A-WALL")
     # The contour of the building is no wall in its rooms.
     closed(space, rectangle(-3300, -300, 15900, 6200), "A-WALL-FULL")
+    # Around the hall's end in the east.
+    closed(space, rectangle(9980, 4100, 40, 1500), "A-FLOR-HRAL")
+    space.add_line((9000, 5610), (10_000, 5610), dxfattribs={"layer": "A-FLOR-HRAL"})
     space.add_circle((2500, 2000), 150, dxfattribs={"layer": "S-COLS"})
     return document
 

@@ -207,6 +207,11 @@ def test_columns_and_walls_in_a_room_are_obstacles_and_contours_are_none(plan):
     assert stub.area == pytest.approx(0.1)
 
 
+def test_railings_are_outlines_and_lines_as_wide_as_a_railing(plan):
+    sizes = [(Polygon(outline).bounds, Polygon(outline).area) for outline in level_of(plan)["railings"]]
+    assert sizes == [(pytest.approx((9.98, 4.1, 10.02, 5.6)), pytest.approx(0.06)), (pytest.approx((9, 5.585, 10, 5.635)), pytest.approx(0.05))]
+
+
 class TestUnits:
     def test_a_unit_that_is_named_counts_before_that_of_the_drawing(self, folder):
         # Millimetres that are read as tenths of their size would be no rooms: the flat is drawn in units of 1 mm.

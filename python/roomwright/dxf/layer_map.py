@@ -15,7 +15,7 @@ from .faults import Report, UnreadableError
 from .room_types import key_of
 
 # What layers can hold, in the order in which the documentation lists it.
-ROLES = ("rooms", "room_names", "doors", "windows", "walls", "columns")
+ROLES = ("rooms", "room_names", "doors", "windows", "walls", "columns", "railings")
 # Metres of a unit, by its word.
 UNITS = {"m": 1.0, "dm": 0.1, "cm": 0.01, "mm": 0.001, "ft": 0.3048, "in": 0.0254}
 OUTLINES = ("inner", "center")

@@ -12,7 +12,7 @@ from .openings import Opening, Rooms, at_walls, openings_of
 from .panes import joined_panes
 from .rooms import Room, labels_of, name_rooms, rooms_of, types_of
 from .shapes import Point, Scale
-from .walls import DRAWN_INSIDE, obstacles, open_boundaries, walls_of
+from .walls import DRAWN_INSIDE, obstacles, open_boundaries, strips, walls_of
 
 
 @dataclass
@@ -25,6 +25,7 @@ class Level:
     types: dict[str, str]  # room type by the id of a room
     openings: list[Opening] = field(default_factory=list)
     columns: list[list[Point]] = field(default_factory=list)
+    railings: list[list[Point]] = field(default_factory=list)
 
     @property
     def id(self) -> str:
@@ -56,9 +57,10 @@ def read_level(path: Path, layer_map: LayerMap, chord_error: float, report: Repo
 
 
 def add_walls(level: Level, found: dict[str, list[Drawn]], scale: Scale, layer_map: LayerMap, report: Report) -> None:
-    """Adds columns, walls that stand in rooms, and open boundaries."""
+    """Adds columns, railings, walls that stand in rooms, and open boundaries."""
     columns = walls_of(found.get("columns", []), scale, report)
     level.columns = obstacles(columns.bodies, level.rooms, 0.0)
+    level.railings = strips(walls_of(found.get("railings", []), scale, report))
     if "walls" not in found:
         return
     walls = walls_of(found["walls"], scale, report).without_contours(level.rooms)

@@ -61,6 +61,9 @@ def level_lines(level: Level, level_id: str, layer_map: LayerMap, origin: Point)
     if level.columns:
         lines.append("  columns:")
         lines += [f"  - {flow({'outline': moved(outline, origin)})}" for outline in level.columns]
+    if level.railings:
+        lines.append("  railings:")
+        lines += [f"  - {json.dumps(moved(outline, origin))}" for outline in level.railings]
     return lines
 
 

@@ -20,6 +20,8 @@ from .shapes import CURVES, Point, Scale, ShapeError, shapes_of
 DRAWN_INSIDE = 0.05
 # Square metres of the smallest body that furniture has to mind.
 LEAST_BODY = 0.01
+# Metres across a railing that is drawn as a line.
+RAILING = 0.05
 # Metres between outlines that share an edge.
 SHARED = 0.02
 # Metres of the shortest boundary that one walks through.
@@ -87,6 +89,13 @@ def obstacles(bodies: list[Polygon], rooms: list[Room], margin: float) -> list[l
             if isinstance(piece, Polygon) and piece.area >= LEAST_BODY and not piece.interiors:
                 outlines.append([(float(x), float(y)) for x, y in piece.exterior.coords[:-1]])
     return outlines
+
+
+def strips(railings: Walls) -> list[list[Point]]:
+    """The outlines of railings: areas as they are drawn, lines as wide as a railing is."""
+    lines = [line.buffer(RAILING / 2, cap_style="flat", join_style="mitre") for line in railings.lines if not line.is_ring]
+    return [[(float(x), float(y)) for x, y in outline.exterior.coords[:-1]] for outline in [*railings.bodies, *lines]
+            if isinstance(outline, Polygon) and not outline.is_empty]
 
 
 def open_boundaries(rooms: list[Room], walls: Walls, openings: list[Opening]) -> list[Opening]:
