@@ -9,7 +9,8 @@ from pathlib import Path
 
 FENCE = re.compile(r"^( *)(`{3,}|~{3,})")
 # A link or an image: its text, which may hold images, its target and perhaps a title.
-LINK = re.compile(r"(!?)\[((?:[^\[\]]|!?\[[^\[\]]*\](?:\([^()]*\))?)*)\]\(\s*<?([^()\s<>]*(?:\([^()\s]*\)[^()\s<>]*)*)>?(?:\s+\"[^\"]*\")?\s*\)")
+LINK = re.compile(r"(!?)\[((?:[^\[\]]|!?\[[^\[\]]*\](?:\([^()]*\))?)*)\]"
+                  r"\(\s*<?([^()\s<>]*(?:\([^()\s]*\)[^()\s<>]*)*)>?(?:\s+\"[^\"]*\")?\s*\)")
 CODE = re.compile(r"(`+)(?!`).*?(?<!`)\1(?!`)", re.DOTALL)
 HEADING = re.compile(r"^(#{1,6})\s+(.+?)\s*#*$")
 EXTERNAL = re.compile(r"^[A-Za-z][A-Za-z0-9+.-]*:")

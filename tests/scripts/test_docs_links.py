@@ -14,7 +14,8 @@ from documentation.source import CONTENTS, SiteError, pages_of, write_source
 import build_site as site
 
 FOLDERS = ("assets", "configs", "docs", "scripts", "tests", "viewer")
-PAGES = sorted([*ROOT.glob("*.md"), *(page for folder in FOLDERS for page in (ROOT / folder).rglob("*.md") if "node_modules" not in page.parts)])
+PAGES = sorted([*ROOT.glob("*.md"), *(page for folder in FOLDERS for page in (ROOT / folder).rglob("*.md")
+                                      if "node_modules" not in page.parts)])
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(ROOT).as_posix())
@@ -41,8 +42,9 @@ class TestLinks:
         assert anchors_of(text) == {"what-is-a_b", "twice", "twice-1", "linked--more"}
 
     @pytest.mark.parametrize("link, fault", [
-        ("[a](absent.md)", "there is no such file"), ("[a](#absent)", "there is no such heading"), ("[a](other.md#absent)", "there is no such heading"),
-        ("[a](../outside.md)", "leads out of the project"), ("[a](/other.md)", "begins with /"), ("[a](http://example.org)", "is no https address"),
+        ("[a](absent.md)", "there is no such file"), ("[a](#absent)", "there is no such heading"),
+        ("[a](other.md#absent)", "there is no such heading"), ("[a](../outside.md)", "leads out of the project"),
+        ("[a](/other.md)", "begins with /"), ("[a](http://example.org)", "is no https address"),
         ("[a](https://nowhere)", "is no https address"), ("![a](folder)", "is no image"), ("[a]()", "leads nowhere"),
         ("[a](data.yaml#b)", "has an anchor, and is no page"),
     ])
@@ -61,7 +63,8 @@ def project(tmp_path):
     """A project of two pages, a file and a folder that they link to."""
     root = tmp_path / "project"
     for name, text in {
-        "docs/site/SUMMARY.md": "# Summary\n\n[Start](../../README.md)\n\n- [One](../one.md)\n", "docs/site/book.toml": "", "docs/site/site.css": "",
+        "docs/site/SUMMARY.md": "# Summary\n\n[Start](../../README.md)\n\n- [One](../one.md)\n",
+        "docs/site/book.toml": "", "docs/site/site.css": "",
         "README.md": "# Start\n[one](docs/one.md#a) [code](src/lib.rs) [all of it](src)\n", "src/lib.rs": "fn main() {}\n",
         "docs/one.md": "# A\n[start](../README.md#start)\n",
     }.items():

@@ -98,6 +98,8 @@ class TestParts:
 
 
 class TestFiles:
+    BAD_VALUES = (b"nan", b"1e300", b"-7", b"", b"INSERT", b"999999", b"0", b"\xff\xfe")
+
     def test_a_plan_is_not_overwritten_unless_told(self, folder, capsys):
         save(flat(), folder / "flat.dxf")
         (folder / "plan.yaml").write_text("mine")
@@ -133,7 +135,7 @@ class TestFiles:
         for _ in range(200):
             damaged = list(lines)
             for _ in range(draw.randint(1, 6)):
-                damaged[draw.randrange(len(damaged) - 3)] = draw.choice([b"nan", b"1e300", b"-7", b"", b"INSERT", b"999999", b"0", b"\xff\xfe"])
+                damaged[draw.randrange(len(damaged) - 3)] = draw.choice(self.BAD_VALUES)
             (folder / "flat.dxf").write_bytes(whole[:start] + b"\n".join(damaged))
             code = run(folder, "--force")
             codes.append(code)

@@ -209,7 +209,15 @@ def test_columns_and_walls_in_a_room_are_obstacles_and_contours_are_none(plan):
 
 def test_railings_are_outlines_and_lines_as_wide_as_a_railing(plan):
     sizes = [(Polygon(outline).bounds, Polygon(outline).area) for outline in level_of(plan)["railings"]]
-    assert sizes == [(pytest.approx((9.98, 4.1, 10.02, 5.6)), pytest.approx(0.06)), (pytest.approx((9, 5.585, 10, 5.635)), pytest.approx(0.05))]
+    assert sizes == [(pytest.approx((9.98, 4.1, 10.02, 5.6)), pytest.approx(0.06)),
+                     (pytest.approx((9, 5.585, 10, 5.635)), pytest.approx(0.05))]
+
+
+def test_walls_are_no_obstacles_where_outlines_are_their_middle(folder):
+    (folder / "map.yaml").write_text(LAYERS + "outlines: center\n", encoding="utf-8")
+    plan = read(folder, flat())
+    (column,) = level_of(plan)["columns"]
+    assert plan["outlines"] == "center" and Polygon(column["outline"]).contains(Point(2.5, 2))
 
 
 class TestUnits:
@@ -287,8 +295,9 @@ class TestAnArchitectsDrawing:
     def test_every_outline_is_a_room_with_a_name_and_the_area_of_its_stamp(self, plan, drawing):
         rooms = level_of(plan)["rooms"]
         assert len(rooms) == 47 and all("name" in room for room in rooms)
-        stamps = [(Point(text.dxf.insert.x, text.dxf.insert.y), float(text.plain_text().split()[0])) for text in drawing.modelspace().query("MTEXT")
-                  if text.plain_text().endswith(" m2") and text.dxf.layer == "Raumstempel"]
+        texts = drawing.modelspace().query('MTEXT[layer=="Raumstempel"]')
+        stamps = [(Point(text.dxf.insert.x, text.dxf.insert.y), float(text.plain_text().split()[0])) for text in texts
+                  if text.plain_text().endswith(" m2")]
         outlines = [Polygon(room["outline"]) for room in rooms]
         areas = [(outline.area, area) for outline in outlines for at, area in stamps if outline.contains(at)]
         # Stamps are rounded to half a square metre.

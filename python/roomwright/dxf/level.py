@@ -45,7 +45,8 @@ def read_level(path: Path, layer_map: LayerMap, chord_error: float, report: Repo
     if not rooms:
         raise UnreadableError(f"{path}: has no room: no closed outline on the layers of the role rooms, "
                               f"{', '.join(layer_map.layers.get('rooms', []))}\n"
-                              "  hint: --list-layers lists the layers; draw a closed polyline around each room, walls are not turned into rooms")
+                              "  hint: --list-layers lists the layers; draw a closed polyline around each room, for walls are not turned "
+                              "into rooms")
     name_rooms(rooms, labels_of([*found.get("room_names", []), *found["rooms"]], scale), report)
     level = Level(path, scale.metres, rooms, types_of(rooms, layer_map.room_types, report))
     among = Rooms(rooms)

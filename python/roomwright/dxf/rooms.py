@@ -32,7 +32,8 @@ LONGEST_NAME = 100
 # Letters of a text, and of a line of it, that are looked at.
 LONGEST_TEXT, LONGEST_LINE = 2_000, 200
 # A size, or a number alone: "13.5 m2", "NRF: 12,30 m²", "2.04". Such a text is no name.
-SIZE = re.compile(r"(?:[A-Za-z]{0,4}\s*[:=]?\s*)?[\d.,'’ ]+\s*(?:m2|m²|m\^2|qm|sq\.?\s?m|sq\.?\s?ft|sf|ft2|ft²|m|cm|mm)\.?", re.IGNORECASE)
+SIZE = re.compile(r"(?:[A-Za-z]{0,4}\s*[:=]?\s*)?[\d.,'’ ]+\s*(?:m2|m²|m\^2|qm|sq\.?\s?m|sq\.?\s?ft|sf|ft2|ft²|m|cm|mm)\.?",
+                  re.IGNORECASE)
 # Rooms of a drawing, and pairs of rooms with meeting boxes that are compared.
 MOST_ROOMS, MOST_PAIRS = 20_000, 50_000
 
@@ -235,7 +236,7 @@ def types_of(rooms: list[Room], own: dict[str, str], report: Report) -> dict[str
     for name, unnamed in unknown.items():
         count = "" if len(unnamed) == 1 else f" ({len(unnamed)} rooms)"
         fact = f'the name "{name}" has no room type' if name else "the room has no name"
-        report.warning(unnamed[0].place, f"{fact}{count}: read as {GENERIC}",
-                       f'`room_types: {{"{name}": bedroom}}` in the layer map' if name else "`roomwright catalog rooms` lists the types for "
-                       "the key `type` of the plan")
+        hint = (f'`room_types: {{"{name}": bedroom}}` in the layer map' if name
+                else "write its name into it, on a layer of the role room_names")
+        report.warning(unnamed[0].place, f"{fact}{count}: read as {GENERIC}", hint)
     return types
