@@ -248,6 +248,27 @@ def test_drawings_are_levels_lowest_first(folder):
     assert [(level["id"], level["height"], len(level["rooms"])) for level in plan["levels"]] == [("0", 2.8, 5), ("1", 2.8, 5)]
 
 
+def test_text_and_binary_files_of_all_versions_give_the_same_plan(folder):
+    drawing = flat()
+    texts = set()
+    for version, form in (("R2000", "asc"), ("R2004", "asc"), ("R2018", "asc"), ("R2010", "bin")):
+        drawing.dxfversion = version
+        drawing.saveas(folder / "flat.dxf", fmt=form)
+        assert main([str(folder / "flat.dxf"), "--layers", str(folder / "map.yaml"), "--out", str(folder / "plan.yaml"), "--force"]) == 0
+        texts.add((folder / "plan.yaml").read_text(encoding="utf-8"))
+    assert len(texts) == 1
+
+
+def test_drawings_of_the_oldest_version_are_read(folder):
+    drawing = ezdxf.new("R12")
+    drawing.header["$INSUNITS"] = 4
+    space = drawing.modelspace()
+    space.add_polyline2d(rectangle(0, 0, 4000, 3000), close=True, dxfattribs={"layer": "A-AREA"})
+    space.add_text("Küche", dxfattribs={"layer": "A-AREA-IDEN", "insert": (500, 500)})
+    (room,) = by_name(read(folder, drawing, options=("--unit", "mm"))).values()
+    assert room["type"] == "kitchen" and Polygon(room["outline"]).area == pytest.approx(12)
+
+
 def test_the_same_drawing_gives_the_same_bytes(folder):
     texts = []
     for _ in range(2):
