@@ -57,7 +57,7 @@ def parse_arguments(arguments: list[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--out", type=Path, default=ROOT / "target" / "site" / "book",
                         help="folder of the site (default: target/site/book)")
-    parser.add_argument("--repository", type=str.rstrip, metavar="ADDRESS",
+    parser.add_argument("--repository", metavar="ADDRESS",
                         help="address of the repository, where links to files that are no pages lead (default: the files are copied)")
     parser.add_argument("--links", action="store_true", help="check the links of the pages, and build nothing")
     parser.add_argument("--install", action="store_true", help=f"install mdBook {VERSION} into target/tools first")
