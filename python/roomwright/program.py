@@ -34,7 +34,7 @@ def find_program(named: str | os.PathLike[str] | None = None) -> Path:
             return Path(candidate).resolve()
     if named:
         raise ProgramError(f"{named} is no program; hint: name the file of the command roomwright")
-    raise ProgramError("there is no program roomwright; hint: install the package with its wheel, run `cargo install --path .` in "
+    raise ProgramError("there is no program roomwright; hint: install the package with its wheel, run `cargo install --locked --path .` in "
                        f"the project's folder, or name the program in {VARIABLE}")
 
 
