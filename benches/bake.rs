@@ -33,6 +33,7 @@ fn level_bytes(placed: &PlacedBuilding, level: &Level, catalog: &Catalog, models
         style: None,
         level,
         building: &placed.id,
+        attribution: None,
         site: placed.site,
         furnished: &furnished,
         verdicts: &verdicts,

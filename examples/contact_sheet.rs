@@ -72,6 +72,7 @@ impl<'a> Sheet<'a> {
             materials: Vec::new(),
             lights: Vec::new(),
             variants: Vec::new(),
+            copyright: None,
         };
         let textures = TextureLibrary::new(TextureSize::Small, TextureLocation::Embedded);
         Self { palette, scene, textures, slots: BTreeMap::new() }

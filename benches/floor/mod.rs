@@ -43,6 +43,7 @@ impl Floor {
             style: None,
             level: &self.level,
             building: "hotel",
+            attribution: None,
             site: SitePlacement::default(),
             furnished: &self.furnished,
             verdicts: &[],

@@ -175,6 +175,7 @@ fn scene(context: &Context<'_>, job: &Job<'_>, rooms: &RoomResults, look: SceneL
     build_scene(&SceneInput {
         level: job.level,
         building: &job.placed.id,
+        attribution: job.placed.building.attribution.as_deref(),
         site: job.placed.site,
         furnished: &rooms.furnished,
         verdicts: &rooms.verdicts,

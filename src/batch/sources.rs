@@ -88,6 +88,8 @@ pub(crate) struct RecordHead {
     pub(crate) site: SiteRecord,
     /// The box around it.
     pub(crate) bounds: Option<LevelBounds>,
+    /// The text by which the source of its plan asks to be named.
+    pub(crate) attribution: Option<String>,
 }
 
 impl RecordHead {
@@ -99,6 +101,7 @@ impl RecordHead {
             position: self.site.position,
             turn: self.site.turn,
             bounds: self.bounds,
+            attribution: self.attribution.clone(),
             paths: self.files.iter().map(|file| file.path.clone()).collect(),
         }
     }
@@ -243,8 +246,8 @@ impl<'a> Contents<'a> {
         self.add_files(&record.files);
         let key = record.key();
         self.former.remove(&key);
-        let LevelRecord { inputs, files, library, totals, site, bounds, .. } = record;
-        let head = RecordHead { inputs, files, library, totals, site, bounds };
+        let LevelRecord { inputs, files, library, totals, site, bounds, attribution, .. } = record;
+        let head = RecordHead { inputs, files, library, totals, site, bounds, attribution };
         let program = record.program.unwrap_or_else(|| program.to_owned());
         self.levels.entry(key.clone()).or_default().push(FoundRecord { program, head, text });
         Ok(key)

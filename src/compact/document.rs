@@ -83,7 +83,11 @@ pub(super) fn write(parts: &Parts<'_>) -> Result<Vec<u8>, GltfError> {
     name_extensions(&mut root, &used);
     root.insert("scene".to_owned(), json!(0));
     root.insert("scenes".to_owned(), json!([{"nodes": roots}]));
-    root.insert("asset".to_owned(), json!({"version": "2.0", "generator": GENERATOR}));
+    let mut asset = json!({"version": "2.0", "generator": GENERATOR});
+    if let Some(copyright) = &parts.shown.scene.copyright {
+        asset["copyright"] = json!(copyright);
+    }
+    root.insert("asset".to_owned(), asset);
     let json = serde_json::to_vec(&root).expect("names are strings and numbers are finite");
     gltf::write_container(&json, &laid.bytes)
 }

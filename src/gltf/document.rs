@@ -64,7 +64,7 @@ pub(crate) fn build<'s>(scene: &'s Scene, uri: Option<&str>, options: WriteOptio
     let mut images = Images::default();
     let (sources, source_of_mesh) = pack(scene, options, &mut packer);
     let materials = scene.materials.iter().map(|source| material(source, &mut images, &mut packer));
-    let mut root = Root { asset: asset(), materials: materials.collect(), ..Root::default() };
+    let mut root = Root { asset: asset(scene), materials: materials.collect(), ..Root::default() };
     let mut views = Views::new(&mut root, &packer, uri);
     let mut accessors = Accessors::default();
     let accessors: Vec<_> = sources
@@ -100,8 +100,8 @@ pub(crate) fn looks(materials: impl Iterator<Item = SceneMaterial>) -> (Map<Stri
     }
 }
 
-fn asset() -> Asset {
-    Asset { generator: Some(GENERATOR.to_owned()), ..Asset::default() }
+fn asset(scene: &Scene) -> Asset {
+    Asset { generator: Some(GENERATOR.to_owned()), copyright: scene.copyright.clone(), ..Asset::default() }
 }
 
 /// Packs each model once and says which source each mesh shows.

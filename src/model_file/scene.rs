@@ -52,7 +52,8 @@ fn read(path: &Path) -> Result<Scene, Problem> {
             .with_hint("use files that bake wrote, or that keep their extras (custom properties)")
     })?;
     let Reader { meshes, shown, .. } = reader;
-    Ok(Scene { root, meshes, materials: shown, lights: Vec::new(), variants: Vec::new() })
+    let copyright = container.document.asset.copyright.clone();
+    Ok(Scene { root, meshes, materials: shown, lights: Vec::new(), variants: Vec::new(), copyright })
 }
 
 /// A place without scale, and the scale that what it shows has.

@@ -90,6 +90,8 @@ pub(crate) struct IndexedLevel {
     pub(crate) turn: f64,
     /// The box around it; none where it shows nothing.
     pub(crate) bounds: Option<LevelBounds>,
+    /// The text by which the source of its plan asks to be named.
+    pub(crate) attribution: Option<String>,
     /// Its files in the output folder.
     pub(crate) paths: Vec<String>,
 }

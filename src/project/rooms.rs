@@ -148,6 +148,7 @@ mod tests {
         let whole = build_scene(&SceneInput {
             level,
             building: &placed.id,
+            attribution: None,
             site: placed.site,
             furnished: &furnished,
             verdicts: &verdicts,

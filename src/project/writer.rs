@@ -86,6 +86,7 @@ impl RoomWriter {
         build_scene(&SceneInput {
             level: room.level,
             building: &room.building.id,
+            attribution: room.building.building.attribution.as_deref(),
             site: room.building.site,
             furnished: room.furnished,
             verdicts: room.verdicts,

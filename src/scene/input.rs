@@ -21,6 +21,8 @@ pub struct SceneInput<'a> {
     pub level: &'a Level,
     /// Id of its building.
     pub building: &'a str,
+    /// The text by which the source of its plan asks to be named.
+    pub attribution: Option<&'a str>,
     /// Where the building stands; recorded, not applied.
     pub site: SitePlacement,
     /// The rooms to show, in the order of the level's rooms; all of a level's, or some.

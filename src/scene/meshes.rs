@@ -104,7 +104,7 @@ impl<'a> MeshTable<'a> {
         let variants = if self.has_variants { self.variants() } else { Vec::new() };
         self.paint(&variants);
         let Self { meshes, materials, lights, .. } = self;
-        Scene { root, meshes, materials, lights, variants }
+        Scene { root, meshes, materials, lights, variants, copyright: None }
     }
 
     /// Gives each slot the images of its surface, now that it is known whether that is seen on more than furniture.

@@ -57,7 +57,7 @@ pub fn build_scene(input: &SceneInput<'_>) -> Scene {
     root.children.extend(openings(input, &storey, &mut meshes));
     let rooms = 0..input.furnished.len();
     root.children.extend(rooms.map(|room| room::room_node(input, &storey, room, &mut meshes)));
-    meshes.finish(root)
+    Scene { copyright: input.attribution.map(str::to_owned), ..meshes.finish(root) }
 }
 
 /// Openings look like the first room they join.

@@ -25,6 +25,8 @@ pub struct Scene {
     pub lights: Vec<SceneLight>,
     /// Other looks of the whole level, if any are asked for.
     pub variants: Vec<SceneVariant>,
+    /// The text by which the source of the plan asks to be named, which viewers show.
+    pub copyright: Option<String>,
 }
 
 impl Scene {

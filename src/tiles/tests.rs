@@ -19,6 +19,7 @@ fn level(building: &str, level: &str, place: [f64; 2], elevation: f64) -> Indexe
             low: [0.0, 0.0, elevation],
             high: [10.0, 8.0, elevation + 3.0],
         }),
+        attribution: None,
         paths: ["full", "reduced", "boxes"].map(path).to_vec(),
     }
 }
@@ -48,6 +49,22 @@ fn contents(tile: &Value, found: &mut Vec<String>) {
         assert!(child["geometricError"].as_f64().unwrap() < error, "{child}");
         contents(child, found);
     }
+}
+
+#[test]
+fn the_first_file_names_each_source_that_asks_for_it_once() {
+    let mut levels = town(30, 20);
+    let asset = |levels: &[IndexedLevel]| {
+        let files = parsed(levels, &IndexOptions::default());
+        files.into_iter().map(|(_, mut file)| file["asset"].take()).collect::<Vec<Value>>()
+    };
+    assert!(asset(&levels).iter().all(|asset| asset["extras"]["attributions"].is_null()));
+    for (number, level) in levels.iter_mut().enumerate() {
+        level.attribution = Some(format!("© source {}", number % 2));
+    }
+    let told = asset(&levels);
+    assert_eq!(told[0]["extras"]["attributions"], serde_json::json!(["© source 0", "© source 1"]));
+    assert!(told.len() > 1 && told[1..].iter().all(|asset| asset["extras"]["attributions"].is_null()));
 }
 
 #[test]

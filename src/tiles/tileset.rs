@@ -1,6 +1,6 @@
 //! The JSON of the tileset: quadtree, buildings, levels, details.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use glam::{DMat4, DVec3};
 use serde_json::{Value, json};
@@ -38,7 +38,8 @@ pub(super) fn files(levels: &[IndexedLevel], options: &IndexOptions) -> IndexFil
     if let Some(matrix) = placer.root() {
         root["transform"] = transform(matrix);
     }
-    let mut files = vec![(INDEX_NAME.to_owned(), tileset(top.error * STEP, root))];
+    let attributions = levels.iter().filter_map(|level| level.attribution.as_deref()).collect();
+    let mut files = vec![(INDEX_NAME.to_owned(), tileset(top.error * STEP, root, &attributions))];
     files.extend(writer.files);
     files
 }
@@ -183,7 +184,8 @@ impl Writer<'_> {
     /// Moves a tile into a file of its own, and gives the one that leads there.
     fn outsourced(&mut self, tile: Tile, name: &str, folder: &str) -> Tile {
         let Tile { json, volume, error } = tile;
-        self.files.push((format!("{INDEX_FOLDER}{name}.json"), tileset(error * STEP, json)));
+        self.files
+            .push((format!("{INDEX_FOLDER}{name}.json"), tileset(error * STEP, json, &BTreeSet::new())));
         let error = error * STEP;
         let json = json!({
             "boundingVolume": volume.json(),
@@ -195,13 +197,17 @@ impl Writer<'_> {
     }
 }
 
-/// A file of the tileset.
-fn tileset(error: f64, root: Value) -> Vec<u8> {
+/// A file of the tileset; the first names the sources that ask for it.
+fn tileset(error: f64, root: Value, attributions: &BTreeSet<&str>) -> Vec<u8> {
     let id = json!({"type": "STRING", "required": true, "semantic": "ID"});
     let class = |about: &str| json!({"description": about, "properties": {"id": id}});
     let classes = json!({"building": class("A building"), "level": class("A level of a building")});
+    let mut extras = json!({"generator": GENERATOR});
+    if !attributions.is_empty() {
+        extras["attributions"] = json!(attributions);
+    }
     let json = json!({
-        "asset": {"version": "1.1", "extras": {"generator": GENERATOR}},
+        "asset": {"version": "1.1", "extras": extras},
         "geometricError": tidy(error),
         "schema": {"id": "roomwright_tileset", "classes": classes},
         "root": root,

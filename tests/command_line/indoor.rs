@@ -48,6 +48,34 @@ fn imported_indoor_maps_bake_to_the_bytes_of_the_maps() {
     }
 }
 
+/// The JSON of a binary glTF file.
+fn document(bytes: &[u8]) -> serde_json::Value {
+    let length = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
+    serde_json::from_slice(&bytes[20..20 + length]).unwrap()
+}
+
+#[test]
+fn files_and_tiles_name_the_source_where_viewers_look_for_it() {
+    let world = world(XML);
+    world.run(&["bake", "map", "--out", "out", "--effort", "1"]);
+    world.run(&["tiles", "map", "--out", "tiles", "--effort", "1"]);
+    world.run(&["tiles", "out", "--out", "of_bake"]);
+    let named = attributions(&world, "out");
+    assert_eq!(named.len(), 1);
+    for folder in ["out", "tiles", "of_bake"] {
+        let levels = levels(&world, folder);
+        assert!(levels.len() > 1);
+        for (name, bytes) in levels {
+            assert_eq!(document(&bytes)["asset"]["copyright"], named[0], "{folder}/{name}");
+        }
+    }
+    for folder in ["tiles", "of_bake"] {
+        let tileset = world.read(&format!("{folder}/tileset.json"));
+        let tileset: serde_json::Value = serde_json::from_slice(&tileset).unwrap();
+        assert_eq!(tileset["asset"]["extras"]["attributions"], serde_json::json!(named), "{folder}");
+    }
+}
+
 #[test]
 fn one_map_bakes_to_the_same_bytes_in_each_encoding() {
     let [xml, geojson] = [XML, GEOJSON].map(|map| {

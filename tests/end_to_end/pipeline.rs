@@ -62,6 +62,7 @@ impl Pipeline {
             style: None,
             level,
             building,
+            attribution: None,
             site: SitePlacement::default(),
             furnished: &furnished,
             verdicts: &verdicts,

@@ -305,6 +305,7 @@ pub(crate) fn input<'a>(
         style: None,
         level,
         building: "tower",
+        attribution: None,
         site: SitePlacement::default(),
         furnished,
         verdicts: &[],
