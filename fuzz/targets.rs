@@ -42,7 +42,9 @@ pub const TARGETS: &[(&str, Target)] = &[
     ("osm", plan_osm),
     ("pbf", plan_pbf),
     ("plan", read_plan),
+    ("resplan", read_resplan),
     ("sweet_home", read_sweet_home),
+    ("swiss_dwellings", read_swiss_dwellings),
 ];
 
 /// Faults of one input at most: those of each room and object, not of each byte.
@@ -98,10 +100,26 @@ fn read_ifc(data: &[u8]) -> bool {
 /// A packed home or its text, with its furniture.
 fn read_sweet_home(data: &[u8]) -> bool {
     let folder = folder(&[("home.sh3d", data)]);
-    if let Err(faults) = drawn_furniture(&folder.path().join("home.sh3d")) {
+    if let Err(faults) =
+        drawn_furniture(&folder.path().join("home.sh3d"), &PlanOptions::new(&CATALOG.room_words))
+    {
         check_faults(&faults);
     }
     read_files(&[("home.sh3d", data)], "")
+}
+
+fn read_resplan(data: &[u8]) -> bool {
+    read_files(&[("plan.json", data)], "")
+}
+
+/// A table of floors, with its furniture.
+fn read_swiss_dwellings(data: &[u8]) -> bool {
+    let folder = folder(&[("geometries.csv", data)]);
+    let options = PlanOptions::new(&CATALOG.room_words);
+    if let Err(faults) = drawn_furniture(&folder.path().join("geometries.csv"), &options) {
+        check_faults(&faults);
+    }
+    read_files(&[("geometries.csv", data)], "")
 }
 
 fn read_bundle_of_plans(data: &[u8]) -> bool {

@@ -15,6 +15,7 @@ mod command_line {
     mod draw;
     mod edits;
     mod faults;
+    mod flats;
     mod former_levels;
     mod guide;
     mod handbook;

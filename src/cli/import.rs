@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::answer::{ImportAnswer, ImportedAnswer, fault_answers};
-use super::arguments::{ImportArguments, SourceArguments};
+use super::arguments::{ImportArguments, MapArguments, SourceArguments};
 use super::exit::Outcome;
 use super::files::{Overwrite, write_text};
 use super::import_report;
@@ -32,8 +32,10 @@ struct Written<'a> {
 
 /// Runs the command.
 pub(crate) fn run(arguments: ImportArguments, screen: Screen) -> Outcome {
-    let ImportArguments { paths, out, force, catalog, keep_furniture, report: is_report_wanted } = arguments;
-    let sources = SourceArguments { paths, catalog, ..SourceArguments::default() };
+    let ImportArguments { paths, out, force, catalog, keep_furniture, only, scale, report: is_report_wanted } =
+        arguments;
+    let map = MapArguments { only, scale, ..MapArguments::default() };
+    let sources = SourceArguments { paths, catalog, map, ..SourceArguments::default() };
     let read = read_plans_and_catalog(&sources, |options| PlanOptions {
         keeps_furniture: keep_furniture,
         is_for_writing: true,
@@ -53,7 +55,7 @@ pub(crate) fn run(arguments: ImportArguments, screen: Screen) -> Outcome {
             return Outcome::NotStarted;
         }
     };
-    let mut furniture = FurnitureKeeper::new(&catalog, Overwrite::forced(force));
+    let mut furniture = FurnitureKeeper::new(&catalog, sources.choices(), Overwrite::forced(force));
     let mut written = Vec::new();
     for target in &targets {
         let text = write_native(&target.placed.building, &target.placed.id);

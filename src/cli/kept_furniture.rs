@@ -8,7 +8,8 @@ use super::files::{Overwrite, write_text};
 use crate::catalog::Catalog;
 use crate::document::{Fault, Faults, counted};
 use crate::edits::{KeptFurniture, edits_path, keep_drawn, write_edits};
-use crate::plan::{DrawnPiece, PlacedBuilding, drawn_furniture};
+use crate::plan::{DrawnPiece, PlacedBuilding, PlanOptions, drawn_furniture};
+use crate::storey::Choices;
 
 /// Words for pieces that are reported one by one.
 const TOLD_WORDS: usize = 20;
@@ -34,14 +35,16 @@ impl KeptFile {
 /// Keeps the furniture of one building after the other, and the furniture of each file only once.
 pub(crate) struct FurnitureKeeper<'a> {
     catalog: &'a Catalog,
+    /// What is chosen of files that hold more.
+    choices: Choices,
     overwrite: Overwrite,
     /// File → its furniture.
     drawn: BTreeMap<PathBuf, Vec<DrawnPiece>>,
 }
 
 impl<'a> FurnitureKeeper<'a> {
-    pub(crate) fn new(catalog: &'a Catalog, overwrite: Overwrite) -> Self {
-        Self { catalog, overwrite, drawn: BTreeMap::new() }
+    pub(crate) fn new(catalog: &'a Catalog, choices: Choices, overwrite: Overwrite) -> Self {
+        Self { catalog, choices, overwrite, drawn: BTreeMap::new() }
     }
 
     /// Writes the furniture of a building beside its plan; nothing if none is drawn, or none is kept.
@@ -53,7 +56,9 @@ impl<'a> FurnitureKeeper<'a> {
     ) -> Option<KeptFile> {
         let source = &placed.source.plan;
         if !self.drawn.contains_key(source) {
-            let read = drawn_furniture(source);
+            let Catalog { room_words, typologies, .. } = self.catalog;
+            let options = PlanOptions::new(room_words).with_planning(typologies, &self.choices);
+            let read = drawn_furniture(source, &options);
             let pieces = read.map_err(|found| faults.merge(found)).unwrap_or_default();
             self.drawn.insert(source.clone(), pieces);
         }

@@ -61,10 +61,12 @@ pub struct Choices {
     pub storeys: Option<u32>,
     /// Seed of the plans.
     pub seed: u64,
-    /// Ids of the buildings that are planned; all if empty.
+    /// Ids of the buildings that are planned, or of what else is read of a file that holds more than is wanted; all if empty.
     pub only: Vec<String>,
     /// Only buildings with their middle in this box, in the units of the map: west, south, east, north.
     pub bounds: Option<[f64; 4]>,
+    /// Metres of one unit of plans that are drawn without a scale.
+    pub metres_per_unit: Option<f64>,
 }
 
 /// Figures of an outline that kinds of buildings are chosen by.

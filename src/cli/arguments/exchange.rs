@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::sources::scale;
+
 /// `import`.
 #[derive(Clone, Debug, Args)]
 pub(crate) struct ImportArguments {
@@ -22,6 +24,12 @@ pub(crate) struct ImportArguments {
     /// Keep the furniture that the plan draws as locked objects, in an edits file beside each plan; kitchens and baths first.
     #[arg(long)]
     pub(crate) keep_furniture: bool,
+    /// Of Swiss Dwellings, read these alone: site_ID, building_ID or floor_ID. Of maps, plan these buildings alone.
+    #[arg(long, value_name = "ID,…", value_delimiter = ',')]
+    pub(crate) only: Vec<String>,
+    /// Metres of one unit of plans that are drawn without a scale (ResPlan) [default: by the area that the plan states].
+    #[arg(long, value_name = "METRES", allow_negative_numbers = true, value_parser = scale)]
+    pub(crate) scale: Option<f64>,
     /// List what was read, attached to rooms and left out, level by level; with --json as part of the result.
     #[arg(long)]
     pub(crate) report: bool,

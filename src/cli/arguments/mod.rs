@@ -34,7 +34,7 @@ pub(crate) use judge::{AuditArguments, DiffArguments};
 pub(crate) use navigation::NavigationArguments;
 pub(crate) use plan::PlanArguments;
 pub(crate) use setup::{CompletionsArguments, InitArguments, ManArguments};
-pub(crate) use sources::{EditArguments, FurnishArguments, SourceArguments};
+pub(crate) use sources::{EditArguments, FurnishArguments, MapArguments, SourceArguments};
 pub(crate) use tiles::{InstancingWord, Near, TilesArguments};
 pub(crate) use view::ViewArguments;
 pub(crate) use walk::WalkArguments;

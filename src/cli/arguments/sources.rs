@@ -23,11 +23,11 @@ pub(crate) struct SourceArguments {
     pub(crate) map: MapArguments,
 }
 
-/// How buildings are planned of which a map shows only the outline.
+/// How buildings are planned of which a map shows only the outline, and what other files leave open.
 #[derive(Clone, Debug, Default, Args)]
 #[command(next_help_heading = "Options for maps of building outlines")]
 pub(crate) struct MapArguments {
-    /// Plan these buildings alone.
+    /// Plan these buildings alone. Of Swiss Dwellings, read these alone: site_ID, building_ID or floor_ID.
     #[arg(long, value_name = "ID,…", value_delimiter = ',')]
     pub(crate) only: Vec<String>,
     /// Plan only buildings with their middle in this box, in the units of the map.
@@ -39,6 +39,9 @@ pub(crate) struct MapArguments {
     /// Storeys of all buildings, in place of what the map says.
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole_number::<u32>(1..=200))]
     pub(crate) levels: Option<u32>,
+    /// Metres of one unit of plans that are drawn without a scale (ResPlan) [default: by the area that the plan states].
+    #[arg(long, value_name = "METRES", allow_negative_numbers = true, value_parser = scale)]
+    pub(crate) scale: Option<f64>,
     /// Seed of the plans.
     #[arg(skip)]
     pub(crate) seed: Option<u64>,
@@ -48,6 +51,12 @@ fn bounds(text: &str) -> Result<[f64; 4], String> {
     let bounds = so_many_numbers(text)?;
     let [west, south, east, north] = bounds;
     if west < east && south < north { Ok(bounds) } else { Err("the box has no area".to_owned()) }
+}
+
+/// Metres of a unit, as `--scale` has them.
+pub(super) fn scale(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|metres| (1e-6..=1e3).contains(metres));
+    number.ok_or_else(|| "write the metres of one unit, as 0.04".to_owned())
 }
 
 impl SourceArguments {
@@ -60,8 +69,15 @@ impl SourceArguments {
 
     /// The choices for planning buildings.
     pub(crate) fn choices(&self) -> Choices {
-        let MapArguments { only, bbox, use_name, levels, seed } = self.map.clone();
-        Choices { use_name, storeys: levels, seed: seed.unwrap_or(1), only, bounds: bbox }
+        let MapArguments { only, bbox, use_name, levels, scale, seed } = self.map.clone();
+        Choices {
+            use_name,
+            storeys: levels,
+            seed: seed.unwrap_or(1),
+            only,
+            bounds: bbox,
+            metres_per_unit: scale,
+        }
     }
 }
 

@@ -16,6 +16,7 @@ mod inputs;
 mod names;
 pub(crate) mod native;
 mod nothing;
+mod oriented;
 mod osm;
 pub(crate) mod outlines;
 mod project;
@@ -23,10 +24,13 @@ mod reader;
 mod readers;
 #[cfg(test)]
 pub(super) mod real_data;
+mod resplan;
 mod rings;
 mod room_names;
 mod sample;
+mod solids;
 mod sweet_home;
+mod swiss_dwellings;
 mod unread;
 
 use std::collections::BTreeMap;

@@ -41,7 +41,7 @@ pub(crate) struct ForeignFormat {
 }
 
 /// Reads the furniture of a file.
-pub(crate) type ReadFurniture = fn(&Path) -> Result<Vec<DrawnPiece>, Faults>;
+pub(crate) type ReadFurniture = fn(&Path, &PlanOptions<'_>) -> Result<Vec<DrawnPiece>, Faults>;
 
 /// All buildings of a file or folder, or why there is none.
 pub(crate) type ReadResult = Result<ReadBuildings, Faults>;

@@ -29,7 +29,8 @@
 //! | a fault at a document path | `source.fault(&["rooms".into(), 3.into()], message, hint, FaultSeverity::Warning)` |
 //! | GeoJSON: features, areas and lines in metres | `geojson/mod.rs`; `imdf/translate.rs` shows its use |
 //! | to recognise a file by what it holds | `head(path, 4096)` of `foreign.rs` gives its first bytes: look for words that no other format begins with. Where they come late (tags behind all nodes), test the root first, and only then search a larger `head`, such as a megabyte. Faults of a recognised file are reported also in a folder, where files that nobody recognises are passed over |
-//! | tables, binary files | nothing in common yet; `ifc/step.rs` reads STEP from the text. A crate is welcome if it keeps the places of elements, and its line in Cargo.toml says what it saves |
+//! | tables of any size | `swiss_dwellings/records.rs`: one record in memory, with its line; `gather.rs` keeps the chosen ones |
+//! | binary files | nothing in common yet; `ifc/step.rs` reads STEP from the text. A crate is welcome if it keeps the places of elements, and its line in Cargo.toml says what it saves |
 //! | degrees of longitude and latitude | `LocalPlane::at(longitude, latitude)?.project(longitude, latitude)` of `plan/units.rs` (no plane outside ±180° and ±85°), which has other units too: one plane for all levels of a building, at `Bounds::around(points).center()` of its corners; `plane_of` of `geojson/place.rs` does that for GeoJSON. `Polygon` takes metres; an area in degrees counts as none |
 //! | first bytes, ids from names, words for rooms, missing files | `foreign.rs`: `head`, `slug`, `TypeOfWord`, `unknown_words`, `missing_parts` |
 //! | plans that share edges of rooms and draw no walls | `outlines: OutlineKind::Center` in the `LevelDraft`. What a file does not say is yours to choose: IMDF takes storeys of 3.6 m, walls of 0.1 m inside and 0.4 m outside, doors 2.1 m high. A door is a point on the shared edge and needs no direction; corners on a straight line are merged later |
@@ -42,8 +43,9 @@ use std::path::Path;
 
 use super::drawn::DrawnPiece;
 use super::reader::{ForeignFormat, ReadFormat};
-use super::{archilyse, honeybee, ifc, imdf, indoor, outlines, sweet_home};
+use super::{archilyse, honeybee, ifc, imdf, indoor, outlines, resplan, sweet_home, swiss_dwellings};
 use crate::document::Faults;
+use crate::plan::PlanOptions;
 
 /// All formats but the native one, in the order in which they are asked: a map with rooms as well as outlines of buildings is a
 /// plan of the rooms.
@@ -54,6 +56,8 @@ pub(crate) const FOREIGN_FORMATS: &[ForeignFormat] = &[
     ifc::FORMAT,
     sweet_home::FORMAT,
     honeybee::FORMAT,
+    swiss_dwellings::FORMAT,
+    resplan::FORMAT,
     indoor::sit::FORMAT,
     outlines::FORMAT,
 ];
@@ -84,9 +88,9 @@ pub fn read_formats() -> Vec<ReadFormat> {
 ///
 /// # Errors
 /// Why the file cannot be read.
-pub fn drawn_furniture(path: &Path) -> Result<Vec<DrawnPiece>, Faults> {
+pub fn drawn_furniture(path: &Path, options: &PlanOptions<'_>) -> Result<Vec<DrawnPiece>, Faults> {
     let format = FOREIGN_FORMATS.iter().find(|format| (format.recognises)(path));
-    format.and_then(|format| format.furniture).map_or_else(|| Ok(Vec::new()), |read| read(path))
+    format.and_then(|format| format.furniture).map_or_else(|| Ok(Vec::new()), |read| read(path, options))
 }
 
 #[cfg(test)]

@@ -44,6 +44,12 @@ pub(crate) const UNREAD_KINDS: &[UnreadKind] = &[
     ),
     kind("an AutoCAD drawing (.dwg)", |file| file.begins(b"AC10"), OTHER_PLANS),
     kind("a DXF drawing", is_dxf, OTHER_PLANS),
+    kind(
+        "a Python pickle",
+        is_pickle,
+        "pickles are programs, which are not run: of Modified Swiss Dwellings name the table (mds_V2_5.372k.csv), of ResPlan \
+         write JSON as docs/importing.md shows",
+    ),
     kind("a PDF", |file| file.begins(b"%PDF"), OTHER_PLANS),
     kind(
         "a Blender file",
@@ -104,6 +110,12 @@ fn is_dxf(file: &Sample) -> bool {
     let mut lines = file.text.lines().map(str::trim);
     let is_text = lines.next() == Some("0") && lines.next() == Some("SECTION");
     is_text || file.is_of(&["dxf"]) || file.begins(b"AutoCAD Binary DXF")
+}
+
+/// Whether a file begins as pickles of protocol 2 and later do: with the protocol, then a frame, a list, a dictionary or a name.
+fn is_pickle(file: &Sample) -> bool {
+    let [0x80, protocol @ 2..=5, next, ..] = file.head[..] else { return file.is_of(&["pickle", "pkl"]) };
+    protocol < 4 || next == 0x95
 }
 
 fn is_image(file: &Sample) -> bool {
@@ -209,6 +221,7 @@ mod tests {
             ("a.glb", "glTF\u{2}\0\0\0", "a binary glTF file (.glb)"),
             ("a.dxf", "  0\r\nSECTION\r\n  2\r\nHEADER", "a DXF drawing"),
             ("a", "0\nSECTION\n", "a DXF drawing"),
+            ("1234.pickle", "whatever", "a Python pickle"),
             ("a.zip", "PK\u{3}\u{4}", "a ZIP archive"),
             ("a.sh3d", "PK\u{3}\u{4}", "a ZIP archive"),
             (

@@ -11,20 +11,20 @@ use crate::geometry::Point;
 
 /// An area as it stands in the file; keys that the plan does not need are not listed.
 #[derive(Debug, Deserialize, JsonSchema)]
-pub(super) struct Area {
-    pub(super) id: i64,
-    pub(super) area_type: String,
+pub(crate) struct Area {
+    pub(crate) id: i64,
+    pub(crate) area_type: String,
     /// The floor's drawing, in files that hold several.
-    pub(super) plan_id: Option<i64>,
+    pub(crate) plan_id: Option<i64>,
     /// Well-known text.
-    pub(super) scaled_polygon: String,
+    pub(crate) scaled_polygon: String,
 }
 
 /// An outline and its holes as found.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Outline {
-    pub(super) outer: Vec<Point>,
-    pub(super) holes: Vec<Vec<Point>>,
+pub(crate) struct Outline {
+    pub(crate) outer: Vec<Point>,
+    pub(crate) holes: Vec<Vec<Point>>,
 }
 
 impl Area {
@@ -32,19 +32,27 @@ impl Area {
     ///
     /// # Errors
     /// The kind of shape that the text describes instead.
-    pub(super) fn outlines(&self) -> Result<Vec<Outline>, String> {
-        let text = self.scaled_polygon.trim();
-        let word: String = text.chars().take_while(char::is_ascii_alphabetic).collect();
-        // Collections nest without bound; nothing but polygons makes a room.
-        if !["POLYGON", "MULTIPOLYGON"].iter().any(|known| word.eq_ignore_ascii_case(known)) {
-            return Err(format!("\"{}\" is no polygon", text.chars().take(20).collect::<String>()));
-        }
-        match Wkt::<f64>::from_str(text) {
-            Ok(Wkt::Polygon(polygon)) => Ok(vec![outline(&polygon)]),
-            Ok(Wkt::MultiPolygon(parts)) => Ok(parts.polygons().iter().map(outline).collect()),
-            Ok(_) => Err("is no polygon".to_owned()),
-            Err(error) => Err(format!("broken well-known text: {error}")),
-        }
+    pub(crate) fn outlines(&self) -> Result<Vec<Outline>, String> {
+        outlines(&self.scaled_polygon)
+    }
+}
+
+/// The outlines that a well-known text describes: one, or several where it has parts.
+///
+/// # Errors
+/// The kind of shape that the text describes instead.
+pub(crate) fn outlines(text: &str) -> Result<Vec<Outline>, String> {
+    let text = text.trim();
+    let word: String = text.chars().take_while(char::is_ascii_alphabetic).collect();
+    // Collections nest without bound; nothing but polygons makes a room.
+    if !["POLYGON", "MULTIPOLYGON"].iter().any(|known| word.eq_ignore_ascii_case(known)) {
+        return Err(format!("\"{}\" is no polygon", text.chars().take(20).collect::<String>()));
+    }
+    match Wkt::<f64>::from_str(text) {
+        Ok(Wkt::Polygon(polygon)) => Ok(vec![outline(&polygon)]),
+        Ok(Wkt::MultiPolygon(parts)) => Ok(parts.polygons().iter().map(outline).collect()),
+        Ok(_) => Err("is no polygon".to_owned()),
+        Err(error) => Err(format!("broken well-known text: {error}")),
     }
 }
 

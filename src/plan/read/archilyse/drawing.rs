@@ -10,93 +10,93 @@ use crate::plan::units::CENTIMETRE;
 
 /// A drawing; keys that the plan does not need are not listed.
 #[derive(Debug, Deserialize, JsonSchema)]
-pub(super) struct Drawing {
+pub(crate) struct Drawing {
     /// Square centimetres per square pixel.
-    pub(super) scale: f64,
+    pub(crate) scale: f64,
     /// Always one, named `layer-1`.
-    pub(super) layers: BTreeMap<String, Layer>,
+    pub(crate) layers: BTreeMap<String, Layer>,
 }
 
 /// One layer of a drawing; everything by id.
 #[derive(Debug, Deserialize, JsonSchema)]
-pub(super) struct Layer {
+pub(crate) struct Layer {
     #[serde(default)]
-    pub(super) lines: BTreeMap<String, Line>,
+    pub(crate) lines: BTreeMap<String, Line>,
     #[serde(default)]
-    pub(super) holes: BTreeMap<String, Hole>,
+    pub(crate) holes: BTreeMap<String, Hole>,
     #[serde(default)]
-    pub(super) items: BTreeMap<String, Item>,
+    pub(crate) items: BTreeMap<String, Item>,
 }
 
 /// Rings of corners in pixels.
-pub(super) type Rings = Vec<Vec<[f64; 2]>>;
+pub(crate) type Rings = Vec<Vec<[f64; 2]>>;
 
 /// A wall, railing, separator or column.
 #[derive(Debug, Deserialize, JsonSchema)]
-pub(super) struct Line {
+pub(crate) struct Line {
     #[serde(rename = "type")]
-    pub(super) kind: String,
-    pub(super) coordinates: Rings,
+    pub(crate) kind: String,
+    pub(crate) coordinates: Rings,
 }
 
 /// A door or window.
 #[derive(Debug, Deserialize, JsonSchema)]
-pub(super) struct Hole {
+pub(crate) struct Hole {
     #[serde(rename = "type")]
-    pub(super) kind: String,
-    pub(super) coordinates: Rings,
-    pub(super) door_sweeping_points: Option<Sweep>,
-    pub(super) properties: Option<HoleProperties>,
+    pub(crate) kind: String,
+    pub(crate) coordinates: Rings,
+    pub(crate) door_sweeping_points: Option<Sweep>,
+    pub(crate) properties: Option<HoleProperties>,
 }
 
 /// The two ends of a leaf's swing, in pixels.
 #[derive(Debug, Deserialize, JsonSchema)]
-pub(super) struct Sweep {
+pub(crate) struct Sweep {
     /// The hinge.
-    pub(super) angle_point: [f64; 2],
+    pub(crate) angle_point: [f64; 2],
     /// The leaf's tip when shut.
-    pub(super) closed_point: [f64; 2],
+    pub(crate) closed_point: [f64; 2],
     /// The leaf's tip when open.
-    pub(super) opened_point: [f64; 2],
+    pub(crate) opened_point: [f64; 2],
 }
 
 /// The properties of a hole.
 #[derive(Debug, Deserialize, JsonSchema)]
-pub(super) struct HoleProperties {
-    pub(super) heights: Option<HoleHeights>,
+pub(crate) struct HoleProperties {
+    pub(crate) heights: Option<HoleHeights>,
 }
 
 /// Sill and head in centimetres.
 #[derive(Debug, Deserialize, JsonSchema)]
-pub(super) struct HoleHeights {
-    pub(super) lower_edge: Option<f64>,
-    pub(super) upper_edge: Option<f64>,
+pub(crate) struct HoleHeights {
+    pub(crate) lower_edge: Option<f64>,
+    pub(crate) upper_edge: Option<f64>,
 }
 
 /// A fixture: kitchen block, bathtub, stairs.
 #[derive(Debug, Deserialize, JsonSchema)]
-pub(super) struct Item {
+pub(crate) struct Item {
     #[serde(rename = "type")]
-    pub(super) kind: String,
-    pub(super) x: f64,
-    pub(super) y: f64,
+    pub(crate) kind: String,
+    pub(crate) x: f64,
+    pub(crate) y: f64,
     /// Degrees counter-clockwise.
     #[serde(default)]
-    pub(super) rotation: f64,
-    pub(super) properties: ItemProperties,
+    pub(crate) rotation: f64,
+    pub(crate) properties: ItemProperties,
 }
 
 /// The sizes of an item along its own x and y.
 #[derive(Debug, Deserialize, JsonSchema)]
-pub(super) struct ItemProperties {
-    pub(super) width: Measure,
-    pub(super) length: Measure,
+pub(crate) struct ItemProperties {
+    pub(crate) width: Measure,
+    pub(crate) length: Measure,
 }
 
 /// A length with its unit, which is always centimetres.
 #[derive(Debug, Deserialize, JsonSchema)]
-pub(super) struct Measure {
-    pub(super) value: f64,
+pub(crate) struct Measure {
+    pub(crate) value: f64,
 }
 
 /// A fixture as the architect drew it: what furnishing can be compared with.
@@ -114,17 +114,17 @@ pub(crate) struct Fixture {
 
 impl Drawing {
     /// All lines, by layer and id.
-    pub(super) fn lines(&self) -> impl Iterator<Item = &Line> {
+    pub(crate) fn lines(&self) -> impl Iterator<Item = &Line> {
         self.layers.values().flat_map(|layer| layer.lines.values())
     }
 
     /// All holes with their ids, by layer and id.
-    pub(super) fn holes(&self) -> impl Iterator<Item = (&String, &Hole)> {
+    pub(crate) fn holes(&self) -> impl Iterator<Item = (&String, &Hole)> {
         self.layers.values().flat_map(|layer| layer.holes.iter())
     }
 
     /// All fixtures, by layer and id, at this many metres per pixel.
-    pub(super) fn fixtures(&self, pixel: f64) -> Vec<Fixture> {
+    pub(crate) fn fixtures(&self, pixel: f64) -> Vec<Fixture> {
         let items = self.layers.values().flat_map(|layer| layer.items.values());
         items
             .map(|item| Fixture {
@@ -138,11 +138,11 @@ impl Drawing {
 }
 
 /// The outer ring in metres; nothing for a line without corners.
-pub(super) fn outer_ring(rings: &Rings, pixel: f64) -> Vec<Point> {
+pub(crate) fn outer_ring(rings: &Rings, pixel: f64) -> Vec<Point> {
     rings.first().map(|ring| ring.iter().map(|&corner| metres(corner, pixel)).collect()).unwrap_or_default()
 }
 
 /// A pixel position in metres.
-pub(super) fn metres(corner: [f64; 2], pixel: f64) -> Point {
+pub(crate) fn metres(corner: [f64; 2], pixel: f64) -> Point {
     Point::from_array(corner) * pixel
 }

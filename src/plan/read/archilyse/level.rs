@@ -28,13 +28,13 @@ const BATHS: [&str; 2] = ["bathtub", "shower"];
 
 /// Heights in metres where the drawing says none.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Heights {
+pub(crate) struct Heights {
     /// Floor to ceiling.
-    pub(super) wall: f64,
+    pub(crate) wall: f64,
     /// Sill of windows.
-    pub(super) window_low: f64,
+    pub(crate) window_low: f64,
     /// Head of windows.
-    pub(super) window_high: f64,
+    pub(crate) window_high: f64,
 }
 
 impl Default for Heights {
@@ -45,32 +45,32 @@ impl Default for Heights {
 
 impl Heights {
     /// Metres from floor to floor.
-    pub(super) fn storey(&self) -> f64 {
+    pub(crate) fn storey(&self) -> f64 {
         self.wall + SLAB_THICKNESS
     }
 }
 
 /// A room's type and title, found by the caller from the area's word.
-pub(super) struct Naming<'a> {
+pub(crate) struct Naming<'a> {
     /// The room type of an area, knowing whether it is a guest toilet.
-    pub(super) room_type: &'a mut dyn FnMut(&Area, bool) -> TypeOfWord,
+    pub(crate) room_type: &'a mut dyn FnMut(&Area, bool) -> TypeOfWord,
     /// The apartment that an area belongs to.
-    pub(super) apartment: &'a dyn Fn(&Area) -> Option<String>,
+    pub(crate) apartment: &'a dyn Fn(&Area) -> Option<String>,
 }
 
 /// The input for a floor.
-pub(super) struct Floor<'a> {
-    pub(super) drawing: &'a Drawing,
+pub(crate) struct Floor<'a> {
+    pub(crate) drawing: &'a Drawing,
     /// Metres per pixel.
-    pub(super) pixel: f64,
-    pub(super) areas: Vec<(&'a Area, Vec<Outline>)>,
-    pub(super) heights: Heights,
+    pub(crate) pixel: f64,
+    pub(crate) areas: Vec<(&'a Area, Vec<Outline>)>,
+    pub(crate) heights: Heights,
     /// 0 is the ground floor.
-    pub(super) number: i32,
+    pub(crate) number: i32,
 }
 
 /// Translates a floor; the rooms keep the order of the areas, the openings that of their ids.
-pub(super) fn level(floor: &Floor<'_>, naming: &mut Naming<'_>) -> LevelDraft {
+pub(crate) fn level(floor: &Floor<'_>, naming: &mut Naming<'_>) -> LevelDraft {
     let Floor { drawing, pixel, heights, number, .. } = *floor;
     let rings = |kinds: &[&str]| -> Vec<Vec<Point>> {
         let chosen = drawing.lines().filter(|line| kinds.contains(&line.kind.as_str()));

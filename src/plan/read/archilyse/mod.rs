@@ -11,9 +11,9 @@
 //!
 //! Drawings are in pixels, areas in metres, both in one frame; y points up.
 
-mod areas;
-mod drawing;
-mod level;
+pub(super) mod areas;
+pub(super) mod drawing;
+pub(super) mod level;
 mod rooms;
 mod single;
 mod site;
@@ -24,12 +24,13 @@ mod tests;
 
 use std::path::Path;
 
+pub(super) use self::rooms::type_of;
 use super::foreign::{Parts, head};
 use crate::plan::RoomWords;
 use crate::plan::read::reader::{ForeignFormat, ReadFormat, ReadResult};
 
 /// The format's word in `room_words.yaml`.
-const NAME: &str = "archilyse";
+pub(super) const NAME: &str = "archilyse";
 
 /// The line of the table of readers.
 pub(crate) const FORMAT: ForeignFormat = ForeignFormat {

@@ -31,6 +31,14 @@ pub(super) fn outlined<'a>(areas: &'a Table<Area>, faults: &mut Faults) -> Outli
     outlined
 }
 
+/// The type of an area's word; `None` if the table of words lacks it.
+pub(crate) fn type_of(words: &RoomWords, word: &str, is_toilet: bool) -> Option<TypeOfWord> {
+    if is_toilet && words.known.contains(TOILET_TYPE) {
+        return Some(TypeOfWord::known(word, TOILET_TYPE));
+    }
+    words.room_type(NAME, word).map(|found| TypeOfWord::known(word, found))
+}
+
 /// Room types by word, remembering the words that are unknown.
 pub(super) struct RoomTypes<'a> {
     words: &'a RoomWords,
@@ -47,11 +55,8 @@ impl<'a> RoomTypes<'a> {
     /// The type of an area's word; for an unknown one a warning comes later.
     pub(super) fn of(&mut self, area: &Area, is_toilet: bool) -> TypeOfWord {
         let word = area.area_type.as_str();
-        if is_toilet && self.words.known.contains(TOILET_TYPE) {
-            return TypeOfWord::known(word, TOILET_TYPE);
-        }
-        if let Some(found) = self.words.room_type(NAME, word) {
-            return TypeOfWord::known(word, found);
+        if let Some(found) = type_of(self.words, word, is_toilet) {
+            return found;
         }
         self.unknown.entry(word.to_owned()).or_insert((area.id, 0)).1 += 1;
         TypeOfWord::unknown(word)

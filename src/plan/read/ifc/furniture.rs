@@ -60,12 +60,15 @@ mod tests {
 
     use super::super::drawn_furniture;
     use crate::plan::read::real_data::folder;
+    use crate::plan::{PlanOptions, RoomWords};
 
     #[test]
     #[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
     fn the_furniture_of_the_duplex_stands_on_its_levels() {
         let Some(folder) = folder("ifc") else { return };
-        let pieces = drawn_furniture(&folder.join("Duplex_A_20110907.ifc")).unwrap();
+        let words = RoomWords::default();
+        let options = PlanOptions::new(&words);
+        let pieces = drawn_furniture(&folder.join("Duplex_A_20110907.ifc"), &options).unwrap();
         let on = |level: &str| pieces.iter().filter(|piece| piece.level == level).count();
         assert_eq!((pieces.len(), on("level_1") + on("level_2")), (61, 61));
         let named = |name: &'static str| pieces.iter().filter(move |piece| piece.name.contains(name));
@@ -78,8 +81,10 @@ mod tests {
 
     #[test]
     fn a_file_without_furniture_has_none() {
+        let words = RoomWords::default();
+        let options = PlanOptions::new(&words);
         let villa = Path::new("tests/cases/plan_import/villa/villa.ifc");
-        assert_eq!(drawn_furniture(villa).unwrap(), []);
-        assert!(drawn_furniture(Path::new("configs/plans/house.yaml")).is_err());
+        assert_eq!(drawn_furniture(villa, &options).unwrap(), []);
+        assert!(drawn_furniture(Path::new("configs/plans/house.yaml"), &options).is_err());
     }
 }

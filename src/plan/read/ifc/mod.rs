@@ -42,9 +42,9 @@ use std::path::Path;
 
 use super::foreign::head;
 use crate::document::{Fault, Faults, Source};
-use crate::plan::RoomWords;
 use crate::plan::read::drawn::DrawnPiece;
 use crate::plan::read::reader::{ForeignFormat, ReadBuildings, ReadFormat, ReadResult};
+use crate::plan::{PlanOptions, RoomWords};
 use model::Model;
 
 /// The format's word in `room_words.yaml`.
@@ -101,7 +101,7 @@ fn read(path: &Path, words: &RoomWords) -> ReadResult {
 ///
 /// # Errors
 /// Why the file cannot be read.
-fn drawn_furniture(path: &Path) -> Result<Vec<DrawnPiece>, Faults> {
+fn drawn_furniture(path: &Path, _: &PlanOptions<'_>) -> Result<Vec<DrawnPiece>, Faults> {
     let (model, name, _) = open(path)?;
     let buildings = building::buildings(&model, &RoomWords::default(), &name, true);
     Ok(buildings.into_iter().flat_map(|(_, pieces)| pieces).collect())

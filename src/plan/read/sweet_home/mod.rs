@@ -110,7 +110,7 @@ fn read(path: &Path, options: &PlanOptions<'_>) -> ReadResult {
 }
 
 /// The furniture of a home: what is neither a door nor stairs, and of a size that furniture has.
-fn furniture(path: &Path) -> Result<Vec<DrawnPiece>, Faults> {
+fn furniture(path: &Path, _: &PlanOptions<'_>) -> Result<Vec<DrawnPiece>, Faults> {
     let mut notes = Notes::new(read_text(path)?);
     let Some(home) = xml::read_home(&mut notes) else { return Err(notes.finish()) };
     let building = id(path);
