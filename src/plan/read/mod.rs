@@ -32,6 +32,7 @@ mod solids;
 mod sweet_home;
 mod swiss_dwellings;
 mod unread;
+mod walled;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

@@ -7,12 +7,13 @@ use glam::DAffine3;
 use super::columns::{self, Own, Products};
 use super::fixtures::note_fixtures;
 use super::furniture;
-use super::level::{Storey, shift, stack};
+use super::level::{Spaces, Storey, shift, stack};
 use super::model::{Entity, Model};
 use super::openings;
 use super::placement::Geometry;
 use super::relations::Relations;
 use super::room_types::RoomTypes;
+use super::rooms::Naming;
 use crate::geometry::{Bounds, Point};
 use crate::plan::read::drawn::DrawnPiece;
 use crate::plan::read::reader::DraftedBuilding;
@@ -44,17 +45,21 @@ pub(super) fn buildings(
     let is_single = homes.len() == 1;
     let mut own = products_by_building(model, &relations, &homes);
     let mut drafted = Vec::new();
+    let room_type = |space: &Entity| types.of(space);
+    let mut naming = Naming::new(&room_type);
     for home in &homes {
         let frame = frame(&geometry, home.id);
+        let own = own.remove(&home.id).unwrap_or_default();
+        let products = Products { geometry: &geometry, relations: &relations, frame, own: &own };
         let mut storeys: Vec<Storey> = Vec::new();
         for storey in &home.storeys {
             let own = spaces.remove(&storey.id).unwrap_or_default();
-            storeys.push(Storey::read(&geometry, &frame, storey, &own, &|space| types.of(space)));
+            let spaces = Spaces { own: &own, relations: &relations, naming: &mut naming };
+            storeys.push(Storey::read(&geometry, &frame, storey, spaces));
         }
+        products.enclose(&mut storeys, &mut naming);
         stack(&mut storeys);
         note_fixtures(model, &relations, words, &mut storeys);
-        let own = own.remove(&home.id).unwrap_or_default();
-        let products = Products { geometry: &geometry, relations: &relations, frame, own: &own };
         products.stand(&mut storeys);
         products.open(&mut storeys);
         let id = if is_single { name.to_owned() } else { format!("{name}_{}", home.id) };
@@ -74,6 +79,7 @@ pub(super) fn buildings(
             "IfcRelAggregates puts spaces on storeys; the room is left out",
         );
     }
+    naming.warn(model);
     types.warn(model);
     drafted
 }

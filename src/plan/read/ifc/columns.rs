@@ -15,7 +15,7 @@ use crate::plan::clean::to_simple;
 use crate::plan::{ObstacleDraft, RoomDraft};
 
 /// Elements that divide rooms. Curtain walls and walls of parts have the bodies of their parts.
-const WALLS: [&str; 4] = ["IFCWALL", "IFCWALLSTANDARDCASE", "IFCWALLELEMENTEDCASE", "IFCCURTAINWALL"];
+pub(super) const WALLS: [&str; 4] = ["IFCWALL", "IFCWALLSTANDARDCASE", "IFCWALLELEMENTEDCASE", "IFCCURTAINWALL"];
 const COLUMNS: [&str; 2] = ["IFCCOLUMN", "IFCCOLUMNSTANDARDCASE"];
 /// Metres above the floor between which something stands in the way of walkers.
 const WALKED: (f64, f64) = (0.1, 1.0);
@@ -79,7 +79,7 @@ impl Products<'_> {
     }
 
     /// The outlines of a product or its parts, each body by itself.
-    fn outlines(&self, product: &Entity) -> Read<Vec<Footprint>> {
+    pub(super) fn outlines(&self, product: &Entity) -> Read<Vec<Footprint>> {
         let of = |product: &Entity| -> Read<Vec<Footprint>> {
             let bodies = self.geometry.bodies(product, &self.frame)?;
             Ok(bodies.iter().flat_map(|body| footprints(std::slice::from_ref(body))).collect())
@@ -105,12 +105,12 @@ impl Products<'_> {
 }
 
 impl Storey {
-    fn rooms_by_place(&self) -> BoxIndex<usize> {
+    pub(super) fn rooms_by_place(&self) -> BoxIndex<usize> {
         BoxIndex::of(self.draft.rooms.iter().map(|room| bounds(&room.outline)).zip(0..))
     }
 
     /// Whether something stands where people walk on this storey.
-    fn is_in_the_way(&self, footprint: &Footprint) -> bool {
+    pub(super) fn is_in_the_way(&self, footprint: &Footprint) -> bool {
         // A bare outline stands on its storey, as high as that is.
         let high = if footprint.high > footprint.low { footprint.high } else { footprint.low + WALKED.1 };
         footprint.low < self.floor + WALKED.1 && high > self.floor + WALKED.0

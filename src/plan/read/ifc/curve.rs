@@ -1,4 +1,4 @@
-//! Turns curves into corners: lines stay, arcs are flattened.
+//! Turns curves into corners: lines stay, arcs and splines are flattened.
 
 use std::f64::consts::{PI, TAU};
 
@@ -8,17 +8,19 @@ use super::model::{Entity, Read};
 use super::placement::Geometry;
 use super::value::Value;
 
-/// Metres that a flattened arc may lie off the true one.
-const SAG: f64 = 0.005;
+/// Metres that a flattened arc or spline may lie off the true one.
+pub(super) const SAG: f64 = 0.005;
 /// Radians of the longest and the shortest piece of an arc.
 const STEPS: (f64, f64) = (PI / 8.0, PI / 48.0);
+/// Radians between the ends of a whole turn.
+const SAME_ANGLE: f64 = 1e-9;
 /// Curves in curves.
 pub(super) const DEEPEST: usize = 16;
 
 /// A circle or an ellipse: its own axes, and metres along them.
-struct Conic {
-    frame: DAffine3,
-    radii: (f64, f64),
+pub(super) struct Conic {
+    pub(super) frame: DAffine3,
+    pub(super) radii: (f64, f64),
 }
 
 impl Conic {
@@ -27,18 +29,36 @@ impl Conic {
         self.frame.transform_point3(DVec3::new(self.radii.0 * cosine, self.radii.1 * sine, 0.0))
     }
 
-    fn angle_of(&self, point: DVec3) -> f64 {
+    pub(super) fn angle_of(&self, point: DVec3) -> f64 {
         let own = self.frame.inverse().transform_point3(point);
         libm::atan2(own.y / self.radii.1, own.x / self.radii.0)
     }
 
+    /// Corners around an axis at the origin of a plane.
+    pub(super) fn around(&self) -> Vec<DVec3> {
+        self.arc(0.0, TAU)
+    }
+
+    /// Corners from one angle to another; the same angle makes a whole turn.
+    pub(super) fn from_to(&self, from: f64, to: f64, is_forward: bool) -> Vec<DVec3> {
+        let turn = |angle: f64| {
+            let rest = angle.rem_euclid(TAU);
+            if rest < SAME_ANGLE || TAU - rest < SAME_ANGLE { TAU } else { rest }
+        };
+        self.arc(from, if is_forward { turn(to - from) } else { -turn(from - to) })
+    }
+
     /// Corners from an angle on, both ends included.
     fn arc(&self, from: f64, sweep: f64) -> Vec<DVec3> {
-        let radius = self.radii.0.max(self.radii.1).max(SAG);
-        let step = (2.0 * libm::acos(1.0 - SAG / radius)).clamp(STEPS.1, STEPS.0);
-        let count = (sweep.abs() / step).ceil().clamp(1.0, TAU / STEPS.1) as u32;
+        let count = pieces(self.radii.0.max(self.radii.1), sweep);
         (0..=count).map(|index| self.at(from + sweep * f64::from(index) / f64::from(count))).collect()
     }
+}
+
+/// Straight pieces of an arc of some radius in metres and sweep in radians.
+pub(super) fn pieces(radius: f64, sweep: f64) -> u32 {
+    let step = (2.0 * libm::acos(1.0 - SAG / radius.max(SAG))).clamp(STEPS.1, STEPS.0);
+    (sweep.abs() / step).ceil().clamp(1.0, TAU / STEPS.1) as u32
 }
 
 impl Geometry<'_> {
@@ -60,8 +80,16 @@ impl Geometry<'_> {
                 Ok(corners)
             }
             "IFCTRIMMEDCURVE" => self.trimmed(&curve),
-            "IFCCIRCLE" | "IFCELLIPSE" => Ok(self.conic(&curve)?.arc(0.0, TAU)),
+            "IFCCIRCLE" | "IFCELLIPSE" => Ok(self.conic(&curve)?.around()),
             "IFCINDEXEDPOLYCURVE" => self.indexed(&curve),
+            "IFCBSPLINECURVEWITHKNOTS" | "IFCRATIONALBSPLINECURVEWITHKNOTS" => {
+                Ok(self.spline(&curve)?.corners(self.model, None))
+            }
+            "IFCSURFACECURVE" | "IFCSEAMCURVE" | "IFCINTERSECTIONCURVE" => {
+                self.curve(curve.reference(0)?, depth + 1)
+            }
+            "IFCEDGELOOP" => self.edge_loop(&curve, depth),
+            "IFCVERTEXLOOP" => Ok(vec![self.vertex(curve.reference(0)?)?]),
             _ => Err(curve.trouble("curves of this kind are not read")),
         }
     }
@@ -75,7 +103,7 @@ impl Geometry<'_> {
         Ok(corners)
     }
 
-    fn conic(&self, curve: &Entity) -> Read<Conic> {
+    pub(super) fn conic(&self, curve: &Entity) -> Read<Conic> {
         let frame = self.axes(curve.value(0))?;
         let first = curve.positive(1)? * self.units.length;
         let second = if curve.kind == "IFCELLIPSE" { curve.positive(2)? * self.units.length } else { first };
@@ -90,19 +118,29 @@ impl Geometry<'_> {
             let [from, to] = ends;
             return Ok(vec![from?, to?]);
         }
+        if basis.is(&["IFCBSPLINECURVEWITHKNOTS", "IFCRATIONALBSPLINECURVEWITHKNOTS"]) {
+            return self.trimmed_spline(curve, &basis, is_forward);
+        }
         if !basis.is(&["IFCCIRCLE", "IFCELLIPSE"]) {
             return Err(basis.trouble("curves of this kind are not read"));
         }
         let conic = self.conic(&basis)?;
         let from = self.on_conic(curve, &conic, 1)?;
         let to = self.on_conic(curve, &conic, 2)?;
-        // Ends at one place make a whole turn.
-        let turn = |angle: f64| {
-            let rest = angle.rem_euclid(TAU);
-            if rest < 1e-9 { TAU } else { rest }
+        Ok(conic.from_to(from, to, is_forward))
+    }
+
+    /// A spline between two parameters; its ends are hardly ever given as points.
+    fn trimmed_spline(&self, curve: &Entity, basis: &Entity, is_forward: bool) -> Read<Vec<DVec3>> {
+        let ends = [1, 2].map(|end| self.trim(curve, end).1);
+        let [Some(from), Some(to)] = ends else {
+            return Err(curve.trouble("a spline that is cut at points is not read"));
         };
-        let sweep = if is_forward { turn(to - from) } else { -turn(from - to) };
-        Ok(conic.arc(from, sweep))
+        let mut corners = self.spline(basis)?.corners(self.model, Some((from.min(to), from.max(to))));
+        if from > to || !is_forward {
+            corners.reverse();
+        }
+        Ok(corners)
     }
 
     /// An end of a trimmed curve as a point or as a parameter.

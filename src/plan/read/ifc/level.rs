@@ -6,9 +6,10 @@ use glam::DAffine3;
 
 use super::model::Entity;
 use super::placement::Geometry;
-use super::rooms::{Naming, Space, space};
+use super::relations::Relations;
+use super::rooms::{Naming, Outlined, Space, space};
 use crate::geometry::Point;
-use crate::plan::read::foreign::{TypeOfWord, slug};
+use crate::plan::read::foreign::slug;
 use crate::plan::{LeafDraft, LevelDraft, OpeningPlace, OutlineKind};
 
 /// Metres of slab between the highest ceiling and what is above, where no storey says more.
@@ -32,7 +33,16 @@ pub(super) struct Storey {
     pub(super) rooms_of: BTreeMap<u64, Vec<usize>>,
     /// Whether a wall could not be read, so that the absence of walls cannot be known.
     pub(super) has_unread_walls: bool,
+    /// Spaces without a body and without boundaries that have a shape.
+    pub(super) bodiless: Vec<Entity>,
     opening_ids: BTreeSet<String>,
+}
+
+/// The spaces of a storey, and what is known of them.
+pub(super) struct Spaces<'a, 'b> {
+    pub(super) own: &'a [Entity],
+    pub(super) relations: &'a Relations,
+    pub(super) naming: &'a mut Naming<'b>,
 }
 
 impl Storey {
@@ -41,26 +51,27 @@ impl Storey {
         geometry: &Geometry<'_>,
         frame: &DAffine3,
         storey: &Entity,
-        spaces: &[Entity],
-        room_type: &dyn Fn(&Entity) -> TypeOfWord,
+        spaces: Spaces<'_, '_>,
     ) -> Self {
         let model = geometry.model;
-        let mut naming = Naming { taken: BTreeSet::new(), room_type };
+        let Spaces { own, relations, naming } = spaces;
+        naming.taken.clear();
         let mut read: Vec<Space> = Vec::new();
-        for entity in spaces {
-            match space(geometry, frame, entity, &mut naming) {
-                Ok(space) => read.push(space),
+        let mut bodiless: Vec<Entity> = Vec::new();
+        for entity in own {
+            match space(geometry, frame, entity, relations.boundaries(entity.id), naming) {
+                Ok(Outlined::Space(space)) => read.push(space),
+                Ok(Outlined::Bodiless) => bodiless.push(entity.clone()),
                 Err(trouble) => {
                     let name = entity.text(2).or(entity.text(7)).unwrap_or_default();
-                    let hint = "the room is left out; spaces with swept or flat-faced bodies are read";
+                    let hint = "the room is left out; export the space as a swept profile or a body of faces";
                     model.error(&trouble, &format!("space \"{name}\": "), hint);
                 }
             }
         }
         let floor = read.iter().map(|space| space.low).fold(f64::INFINITY, f64::min);
-        let highest = read.iter().map(|space| space.high).fold(f64::NEG_INFINITY, f64::max);
         let elevation = elevation(geometry, frame, storey, floor);
-        let mut draft = LevelDraft {
+        let draft = LevelDraft {
             name: storey.text(2).or(storey.text(7)).unwrap_or_default().to_owned(),
             elevation,
             exterior_thickness: EXTERIOR_THICKNESS,
@@ -68,15 +79,28 @@ impl Storey {
             outlines: OutlineKind::Inner,
             ..LevelDraft::default()
         };
-        let mut rooms_of: BTreeMap<u64, Vec<usize>> = BTreeMap::new();
-        for space in read {
-            let first = draft.rooms.len();
-            draft.rooms.extend(space.rooms);
-            rooms_of.insert(space.id, (first..draft.rooms.len()).collect());
-        }
-        let opening_ids = BTreeSet::new();
-        let (id, top) = (storey.id, highest + SLAB_THICKNESS);
-        Self { id, floor, top, draft, rooms_of, has_unread_walls: false, opening_ids }
+        let (floor, top) = (f64::INFINITY, f64::NEG_INFINITY);
+        let mut storey = Self {
+            id: storey.id,
+            floor,
+            top,
+            draft,
+            rooms_of: BTreeMap::new(),
+            has_unread_walls: false,
+            bodiless,
+            opening_ids: BTreeSet::new(),
+        };
+        read.into_iter().for_each(|space| storey.add(space));
+        storey
+    }
+
+    /// Adds the rooms of a space.
+    pub(super) fn add(&mut self, space: Space) {
+        self.floor = self.floor.min(space.low);
+        self.top = self.top.max(space.high + SLAB_THICKNESS);
+        let first = self.draft.rooms.len();
+        self.draft.rooms.extend(space.rooms);
+        self.rooms_of.insert(space.id, (first..self.draft.rooms.len()).collect());
     }
 
     /// The global id, by which people find the product in their own program; its number where that is taken.

@@ -13,9 +13,13 @@
 //!
 //! Lengths of all units become metres in the file's first reading; places are those in the building's own axes.
 
+mod boundary;
 mod building;
 mod columns;
+mod curtain;
 mod curve;
+mod edge;
+mod enclosed;
 mod fixtures;
 mod footprint;
 mod furniture;
@@ -25,10 +29,12 @@ mod openings;
 mod placement;
 mod profile;
 mod relations;
+mod revolved;
 mod room_types;
 mod rooms;
 mod shape;
 mod solid;
+mod spline;
 mod step;
 mod strings;
 mod swing;

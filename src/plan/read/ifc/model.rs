@@ -83,6 +83,13 @@ impl Model {
         }
     }
 
+    /// Takes work that is more than looking off the budget, as bytes; whether there was enough.
+    pub(super) fn charge(&self, bytes: usize) -> bool {
+        let left = self.budget.get().checked_sub(bytes as u64);
+        self.budget.set(left.unwrap_or(0));
+        left.is_some()
+    }
+
     /// The numbers of all instances of some kinds, ascending by kind.
     pub(super) fn ids<'a>(&'a self, kinds: &'a [&'a str]) -> impl Iterator<Item = u64> + 'a {
         kinds.iter().filter_map(|kind| self.exchange.kinds.get(*kind)).flatten().copied()

@@ -15,6 +15,12 @@ const WINDOWS: [&str; 2] = ["IFCWINDOW", "IFCWINDOWSTANDARDCASE"];
 const HOLES: [&str; 2] = ["IFCOPENINGELEMENT", "IFCOPENINGSTANDARDCASE"];
 const WALLS: [&str; 3] = ["IFCWALL", "IFCWALLSTANDARDCASE", "IFCWALLELEMENTEDCASE"];
 const ROOFS: [&str; 5] = ["IFCROOF", "IFCSLAB", "IFCSLABSTANDARDCASE", "IFCSLABELEMENTEDCASE", "IFCCOVERING"];
+/// What windows and doors in roofs and floors say of themselves.
+const OVERHEAD: [&str; 3] = ["SKYLIGHT", "LIGHTDOME", "TRAPDOOR"];
+/// Horizontal part of a unit vector below which it stands upright.
+const FLAT: f64 = 0.5;
+/// Heights to depths of what is steeper than 60 degrees: the tangent, less what the thickness of a roof adds to the depth.
+const STEEP: f64 = 1.5;
 /// Smallest passage in metres, and how high above the floor it may begin: niches and ducts are none.
 const PASSAGE_WIDTH: f64 = 0.6;
 const PASSAGE_HEIGHT: f64 = 1.8;
@@ -38,10 +44,20 @@ pub(super) fn kinds() -> impl Iterator<Item = &'static str> {
 }
 
 /// An opening in the building's axes.
-struct Hole {
-    doorway: Doorway,
-    low: f64,
-    high: f64,
+pub(super) struct Hole {
+    pub(super) doorway: Doorway,
+    pub(super) low: f64,
+    pub(super) high: f64,
+    /// Metres across the wall.
+    pub(super) depth: f64,
+}
+
+/// What a product is to a plan.
+enum Found {
+    Opening(Hole),
+    /// A window or hatch in a roof, a floor or a ceiling.
+    Overhead,
+    Nothing,
 }
 
 /// An element that fills a hole, or a hole itself.
@@ -57,15 +73,17 @@ impl Products<'_> {
     /// Enters all openings of a building into its storeys, by kind and number.
     pub(super) fn open(&self, storeys: &mut [Storey]) {
         let model = self.geometry.model;
+        let mut overhead: Vec<u64> = Vec::new();
         for (kinds, what) in [(&DOORS, "door"), (&WINDOWS, "window"), (&HOLES, "opening")] {
             for product in self.all(kinds) {
                 let name = format!("{what} \"{}\"", product.text(2).or(product.text(0)).unwrap_or_default());
                 let found = if what == "opening" { self.passage(&product) } else { self.filler(&product) };
                 match found {
-                    Ok(Some(hole)) => {
+                    Ok(Found::Opening(hole)) => {
                         self.enter(storeys, &Product { entity: &product, what, name: &name }, hole)
                     }
-                    Ok(None) => {}
+                    Ok(Found::Overhead) => overhead.push(product.id),
+                    Ok(Found::Nothing) => {}
                     Err(trouble) => {
                         let message = format!("{name}: {}", trouble.message);
                         model.warn(trouble.id, message, "it was left out");
@@ -73,11 +91,18 @@ impl Products<'_> {
                 }
             }
         }
+        self.glaze(storeys);
         storeys.iter_mut().for_each(|storey| join_stacks(&mut storey.draft.openings));
+        if let [first, ..] = overhead[..] {
+            let count = if overhead.len() == 1 { "one is".to_owned() } else { format!("{} are", overhead.len()) };
+            let message = format!("roof windows and hatches: {count} left out, as a plan has openings in walls only");
+            let hint = "one that is steeper than 60 degrees is read as a window of the wall beside it";
+            model.warn(first, message, hint);
+        }
     }
 
-    /// A door or window; `None` for what lies flat.
-    fn filler(&self, product: &Entity) -> Read<Option<Hole>> {
+    /// A door or window in its hole, or where it says that it stands.
+    fn filler(&self, product: &Entity) -> Read<Found> {
         let axes = self.frame * self.geometry.place(product)?;
         let along = axes.transform_vector3(DVec3::X).truncate();
         let own = |place: usize| {
@@ -85,50 +110,69 @@ impl Products<'_> {
             number.map(|number| number * self.geometry.units.length)
         };
         let (height, width) = (own(8), own(9));
-        // Several in one hole stand where they say themselves.
         let hole = self.relations.hole_of.get(&product.id);
-        let host = hole.and_then(|hole| self.relations.host_of.get(hole));
-        if host.is_some_and(|host| self.geometry.model.is(*host, &ROOFS)) {
-            return Err(product.trouble("it is in a roof or slab: roof windows are not read"));
-        }
+        let is_overhead = along.length() < FLAT || self.is_of_roof(product, hole);
+        // Several in one hole stand where they say themselves.
         let hole = hole.filter(|hole| self.relations.fillers.get(hole) == Some(&1));
         let in_hole =
             hole.map(|hole| self.geometry.model.get(*hole).and_then(|hole| self.hole(&hole, along, width)));
+        if is_overhead {
+            let found = in_hole.unwrap_or_else(|| self.hole(product, along, width));
+            let steep = found.ok().filter(|hole| hole.high - hole.low >= STEEP * hole.depth);
+            return Ok(steep.map_or(Found::Overhead, Found::Opening));
+        }
         if let Some(Ok(hole)) = in_hole {
-            return Ok(Some(hole));
+            return Ok(Found::Opening(hole));
+        }
+        // Panels of curtain walls have their origin in the middle, at a corner or elsewhere.
+        let panel = if self.is_panel(product.id) { self.hole(product, along, width).ok() } else { None };
+        if let Some(panel) = panel {
+            return Ok(Found::Opening(panel));
         }
         let (Some(width), Some(height)) = (width, height) else {
-            return self.hole(product, along, width).map(Some);
+            return self.hole(product, along, width).map(Found::Opening);
         };
-        if along.length() < 0.5 {
-            return Err(product.trouble("it lies flat: roof windows are not read"));
-        }
         let along = along.normalize();
         let start = axes.translation;
         let doorway = Doorway { center: start.truncate() + along * (width / 2.0), along, width };
-        Ok(Some(Hole { doorway, low: start.z, high: start.z + height }))
+        Ok(Found::Opening(Hole { doorway, low: start.z, high: start.z + height, depth: 0.0 }))
+    }
+
+    /// Whether a window or a hatch is drawn into a roof, a floor or a ceiling, or says so itself or by its type.
+    fn is_of_roof(&self, product: &Entity, hole: Option<&u64>) -> bool {
+        let model = self.geometry.model;
+        if let Some(host) = hole.and_then(|hole| self.relations.host_of.get(hole)) {
+            return model.is(*host, &ROOFS);
+        }
+        let kind = self.relations.type_of.get(&product.id).and_then(|kind| model.get(*kind).ok());
+        let said = kind.as_ref().filter(|kind| kind.is(&["IFCWINDOWTYPE", "IFCDOORTYPE"]));
+        let words = [product.value(10).word(), said.and_then(|kind| kind.value(9).word())];
+        words.into_iter().flatten().any(|word| OVERHEAD.contains(&word))
     }
 
     /// An opening that nothing fills, if people can walk through it.
-    fn passage(&self, product: &Entity) -> Read<Option<Hole>> {
+    fn passage(&self, product: &Entity) -> Read<Found> {
         let host = self.relations.host_of.get(&product.id).copied();
         let is_niche = |place: usize, text: Option<&str>| {
             let word = product.value(place).word().or(text).unwrap_or_default();
             word.eq_ignore_ascii_case("RECESS")
         };
         let is_filled = self.relations.fillers.contains_key(&product.id);
-        let Some(host) = host.filter(|host| self.geometry.model.is(*host, &WALLS)) else { return Ok(None) };
+        let Some(host) = host.filter(|host| self.geometry.model.is(*host, &WALLS)) else {
+            return Ok(Found::Nothing);
+        };
         if is_filled || is_niche(8, product.text(4)) {
-            return Ok(None);
+            return Ok(Found::Nothing);
         }
         let wall = self.frame * self.geometry.place(&self.geometry.model.get(host)?)?;
         let hole = self.hole(product, wall.transform_vector3(DVec3::X).truncate(), None)?;
         let is_high = hole.high - hole.low >= PASSAGE_HEIGHT;
-        Ok(Some(hole).filter(|hole| is_high && hole.doorway.width >= PASSAGE_WIDTH))
+        let is_wide = hole.doorway.width >= PASSAGE_WIDTH;
+        Ok(if is_high && is_wide { Found::Opening(hole) } else { Found::Nothing })
     }
 
     /// The box of a product's body, along an axis or across it, whichever is nearer to the width.
-    fn hole(&self, product: &Entity, along: Point, width: Option<f64>) -> Read<Hole> {
+    pub(super) fn hole(&self, product: &Entity, along: Point, width: Option<f64>) -> Read<Hole> {
         let bodies = self.geometry.bodies(product, &self.frame)?;
         let corners: Vec<DVec3> = bodies.iter().flat_map(|body| body.corners()).collect();
         let span = |axis: DVec3| {
@@ -137,7 +181,7 @@ impl Products<'_> {
         };
         let along = along.normalize_or_zero();
         if along == Point::ZERO {
-            return Err(product.trouble("it lies flat: roof windows are not read"));
+            return Err(product.trouble("it lies flat"));
         }
         let axes = [along, along.perp()];
         let spans = axes.map(|axis| span(axis.extend(0.0)));
@@ -152,7 +196,8 @@ impl Products<'_> {
         let chosen = usize::from(is_turned);
         let (low, high) = span(DVec3::Z);
         let width = width.unwrap_or(lengths[chosen]);
-        Ok(Hole { doorway: Doorway { center: middle(0) + middle(1), along: axes[chosen], width }, low, high })
+        let doorway = Doorway { center: middle(0) + middle(1), along: axes[chosen], width };
+        Ok(Hole { doorway, low, high, depth: lengths[1 - chosen] })
     }
 
     fn enter(&self, storeys: &mut [Storey], product: &Product<'_>, hole: Hole) {

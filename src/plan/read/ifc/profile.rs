@@ -2,7 +2,7 @@
 
 use glam::{DAffine3, DVec3};
 
-use super::curve::DEEPEST;
+use super::curve::{Conic, DEEPEST};
 use super::model::{Entity, Read};
 use super::placement::Geometry;
 
@@ -82,11 +82,5 @@ impl Geometry<'_> {
 }
 
 fn ellipse(first: f64, second: f64) -> Vec<DVec3> {
-    /// Corners of round columns and rooms.
-    const CORNERS: u32 = 32;
-    let corner = |index: u32| {
-        let (sine, cosine) = libm::sincos(std::f64::consts::TAU * f64::from(index) / f64::from(CORNERS));
-        DVec3::new(first * cosine, second * sine, 0.0)
-    };
-    (0..CORNERS).map(corner).collect()
+    Conic { frame: DAffine3::IDENTITY, radii: (first, second) }.around()
 }

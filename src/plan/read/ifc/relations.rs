@@ -24,6 +24,8 @@ pub(super) struct Relations {
     pub(super) type_of: BTreeMap<u64, u64>,
     /// Product → the spaces that it bounds.
     pub(super) spaces_of: BTreeMap<u64, BTreeSet<u64>>,
+    /// Space → the relations that bound it, ascending by kind.
+    boundaries_of: BTreeMap<u64, Vec<u64>>,
     /// Product → the classifications that it has, as references to OmniClass or other tables.
     classes_of: BTreeMap<u64, Vec<u64>>,
 }
@@ -68,10 +70,10 @@ impl Relations {
         const KINDS: [&str; 3] =
             ["IFCRELSPACEBOUNDARY", "IFCRELSPACEBOUNDARY1STLEVEL", "IFCRELSPACEBOUNDARY2NDLEVEL"];
         for boundary in model.all(&KINDS) {
+            let Some(space) = boundary.value(4).reference() else { continue };
+            self.boundaries_of.entry(space).or_default().push(boundary.id);
             // Boundaries between rooms without a wall name no product.
-            if let (Some(space), Some(product)) =
-                (boundary.value(4).reference(), boundary.value(5).reference())
-            {
+            if let Some(product) = boundary.value(5).reference() {
                 self.spaces_of.entry(product).or_default().insert(space);
             }
         }
@@ -80,6 +82,11 @@ impl Relations {
     /// The parts of a whole, in the file's order.
     pub(super) fn parts(&self, whole: u64) -> &[u64] {
         self.parts_of.get(&whole).map_or(&[], Vec::as_slice)
+    }
+
+    /// The boundaries of a space, ascending by kind.
+    pub(super) fn boundaries(&self, space: u64) -> &[u64] {
+        self.boundaries_of.get(&space).map_or(&[], Vec::as_slice)
     }
 
     /// The classifications of a product, in the file's order.

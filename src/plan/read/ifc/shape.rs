@@ -27,6 +27,12 @@ impl Geometry<'_> {
         self.placement(product.value(PLACEMENT))
     }
 
+    /// Whether a product claims a body or a footprint, whatever that is worth.
+    pub(super) fn has_body(&self, product: &Entity) -> bool {
+        let is_shaped = product.value(SHAPE).reference().is_some();
+        is_shaped && !self.representations(product).is_ok_and(|all| all.is_empty())
+    }
+
     /// The items of a product by representation, the best first.
     pub(super) fn representations(&self, product: &Entity) -> Read<Vec<Vec<u64>>> {
         let none = || product.trouble("it has no shape");

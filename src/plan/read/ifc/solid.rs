@@ -1,4 +1,4 @@
-//! Reads the items of a shape: swept profiles, boxes and faces.
+//! Reads the items of a shape: swept profiles, boxes and faces, curved ones by their edges.
 
 use glam::{DAffine3, DVec3};
 
@@ -9,7 +9,10 @@ use super::profile::Rings;
 use super::value::Value;
 
 /// Faces of one item; rooms do not have more, and their outline would take too long.
-const MOST_FACES: usize = 50_000;
+pub(super) const MOST_FACES: usize = 50_000;
+
+/// Surfaces that bulge between the edges of a face.
+const SPLINES: [&str; 2] = ["IFCBSPLINESURFACEWITHKNOTS", "IFCRATIONALBSPLINESURFACEWITHKNOTS"];
 
 /// An item of a shape.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,6 +29,14 @@ impl IfcBody {
         match self {
             Self::Swept(rings, sweep) => Self::Swept(rings.moved(by), by.transform_vector3(*sweep)),
             Self::Faces(faces) => Self::Faces(faces.iter().map(|face| face.moved(by)).collect()),
+        }
+    }
+
+    /// Its faces; of a swept profile the one at its beginning.
+    pub(super) fn into_faces(self) -> Vec<Rings> {
+        match self {
+            Self::Swept(rings, _) => vec![rings],
+            Self::Faces(faces) => faces,
         }
     }
 
@@ -58,7 +69,10 @@ impl Geometry<'_> {
                 self.block(&item, &corner)
             }
             "IFCBLOCK" => self.block(&item, &self.axes(item.value(0))?),
-            "IFCFACETEDBREP" | "IFCFACETEDBREPWITHVOIDS" => self.shells(&[item.reference(0)?]),
+            "IFCFACETEDBREP"
+            | "IFCFACETEDBREPWITHVOIDS"
+            | "IFCADVANCEDBREP"
+            | "IFCADVANCEDBREPWITHVOIDS" => self.shells(&[item.reference(0)?]),
             "IFCFACEBASEDSURFACEMODEL" | "IFCSHELLBASEDSURFACEMODEL" => self.shells(&item.references(0)?),
             "IFCPOLYGONALFACESET" | "IFCTRIANGULATEDFACESET" => self.face_set(&item),
             "IFCGEOMETRICSET" | "IFCGEOMETRICCURVESET" => {
@@ -69,9 +83,9 @@ impl Geometry<'_> {
                 let holes = item.references(1).unwrap_or_default();
                 Ok(vec![self.flat(item.reference(0)?, holes, depth)?])
             }
-            "IFCADVANCEDBREP" | "IFCADVANCEDBREPWITHVOIDS" => {
-                Err(item.trouble("shapes with curved faces are not read"))
-            }
+            "IFCREVOLVEDAREASOLID" | "IFCREVOLVEDAREASOLIDTAPERED" => self.revolved(&item, depth),
+            "IFCSWEPTDISKSOLID" | "IFCSWEPTDISKSOLIDPOLYGONAL" => self.tube(&item, depth),
+            "IFCRIGHTCIRCULARCYLINDER" | "IFCRIGHTCIRCULARCONE" | "IFCSPHERE" => self.primitive(&item),
             _ => Ok(vec![self.flat(id, Vec::new(), depth)?]),
         }
     }
@@ -110,7 +124,8 @@ impl Geometry<'_> {
         Ok(vec![IfcBody::Swept(Rings { outer, holes: Vec::new() }, DVec3::Z * z).moved(frame)])
     }
 
-    fn shells(&self, shells: &[u64]) -> Read<Vec<IfcBody>> {
+    /// The faces of shells, each with its edges; B-spline faces also with small ones that follow them.
+    pub(super) fn shells(&self, shells: &[u64]) -> Read<Vec<IfcBody>> {
         let mut faces = Vec::new();
         for shell in shells {
             let shell = self.model.get(*shell)?;
@@ -118,15 +133,25 @@ impl Geometry<'_> {
                 if faces.len() >= MOST_FACES {
                     return Err(shell.trouble(format!("more than {MOST_FACES} faces")));
                 }
-                faces.push(self.face(face)?);
+                faces.extend(self.faces(face)?);
             }
         }
         Ok(vec![IfcBody::Faces(faces)])
     }
 
-    /// A face with its bounds; the outer one is said to be, or the longest.
-    fn face(&self, id: u64) -> Read<Rings> {
+    /// A face, and what follows its surface where that bulges: the edges of a dome say nothing of its top.
+    pub(super) fn faces(&self, id: u64) -> Read<Vec<Rings>> {
         let face = self.model.get(id)?;
+        let mut faces = vec![self.bounds(&face)?];
+        let surface = face.value(1).reference().map(|surface| self.model.get(surface)).transpose()?;
+        if let Some(surface) = surface.filter(|surface| surface.is(&SPLINES)) {
+            faces.extend(self.spline_faces(&surface)?);
+        }
+        Ok(faces)
+    }
+
+    /// The bounds of a face; the outer one is said to be, or the longest.
+    fn bounds(&self, face: &Entity) -> Read<Rings> {
         let mut rings = Rings::default();
         let mut longest = -1.0;
         for bound in face.references(0)? {
@@ -184,7 +209,7 @@ fn girth(ring: &[DVec3]) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use std::path::Path;
 
     use super::super::footprint::footprints;
@@ -202,14 +227,14 @@ mod tests {
     }
 
     /// Square metres and height of an item.
-    fn measures(data: &str, item: u64) -> Read<(f64, f64)> {
+    pub(in super::super) fn measures(data: &str, item: u64) -> Read<(f64, f64)> {
         let model = model(data);
         let found = footprints(&Geometry::new(&model).item(item, 0)?);
         let areas = found.iter().map(|part| Polygon::new(&part.outer).map_or(0.0, |ring| ring.area()));
         Ok((areas.sum(), found.first().map_or(0.0, |part| part.high - part.low)))
     }
 
-    fn assert_measures(data: &str, item: u64, expected: (f64, f64)) {
+    pub(in super::super) fn assert_measures(data: &str, item: u64, expected: (f64, f64)) {
         let (area, height) = measures(data, item).unwrap_or_else(|trouble| panic!("{trouble:?}"));
         assert!(
             (area - expected.0).abs() < 1e-6 && (height - expected.1).abs() < 1e-6,

@@ -1,30 +1,17 @@
 //! Rooms from walls: the areas that walls enclose, and outlines that are drawn into the walls cut back to their faces.
 
-use geo::{Area, BooleanOps, MultiPolygon, unary_union};
+use geo::{Area, BooleanOps};
 
 use super::walls::Body;
-use crate::geometry::{Bounds, Point, Segment, edges, ring_contains, signed_area};
+use crate::geometry::{Bounds, Point, Segment, edges, ring_contains};
 use crate::plan::assemble::BoxIndex;
 use crate::plan::clean::{largest_part, ring_surface, to_points};
+use crate::plan::read::walled::{SMALLEST_ROOM, WalledArea, are_tangled, joined, walled_areas};
 
-/// Square metres of the smallest enclosed area that is a room rather than a shaft or a gap between walls.
-const SMALLEST_ROOM: f64 = 0.5;
-/// Metres of the width of the narrowest, as twice its area over its perimeter.
-const NARROWEST_ROOM: f64 = 0.2;
-/// Walls that touch each other, counted in pairs, up to which areas are looked for: homes have some two per wall. Joining bodies
-/// that all cross each other takes time by the pair.
-const MOST_TOUCHES: usize = 20_000;
 /// Metres inside a wall at which an outline is drawn into it, rather than along its face.
 const INTO_WALL: f64 = 0.02;
 /// Share of an outline that is drawn into walls before it is cut back.
 const SHARE_INTO_WALLS: f64 = 0.3;
-
-/// An area with corners of its own.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Space {
-    pub(super) outline: Vec<Point>,
-    pub(super) holes: Vec<Vec<Point>>,
-}
 
 /// The bodies of a level, to be found by place.
 pub(super) struct Bodies<'a> {
@@ -44,55 +31,26 @@ impl<'a> Bodies<'a> {
 
     /// Whether so many cross each other as in no building.
     pub(super) fn are_tangled(&self) -> bool {
-        let mut touches = 0;
-        self.all.iter().any(|body| {
-            touches += self.index.meeting(body.bounds()).take(MOST_TOUCHES).count();
-            touches > MOST_TOUCHES
-        })
+        are_tangled(&self.index, self.all.iter().map(Body::bounds))
     }
 
     /// The areas that they enclose.
-    pub(super) fn enclosed(&self) -> Vec<Space> {
-        let joined = joined(self.all.iter());
-        let rings: Vec<Vec<Point>> = joined.0.iter().map(|part| to_points(part.exterior())).collect();
-        let insides = joined
-            .0
-            .iter()
-            .enumerate()
-            .flat_map(|(own, part)| part.interiors().iter().map(move |ring| (own, to_points(ring))));
-        let is_within = |ring: &[Point], outline: &[Point]| {
-            ring.first().is_some_and(|corner| ring_contains(outline, *corner))
-        };
-        let mut areas = Vec::new();
-        for (own, outline) in insides.filter(|(_, outline)| is_room(outline)) {
-            let bounds = Bounds::around(outline.iter().copied());
-            let islands = rings.iter().enumerate().filter(|(number, ring)| {
-                *number != own && bounds.contains(ring[0]) && is_within(ring, &outline)
-            });
-            let islands: Vec<&Vec<Point>> = islands.map(|(_, ring)| ring).collect();
-            // What lies within an island is no hole of this area.
-            let is_outermost = |ring: &Vec<Point>| {
-                !islands.iter().any(|other| !std::ptr::eq(*other, ring) && is_within(ring, other))
-            };
-            let holes =
-                islands.iter().filter(|ring| is_outermost(ring)).map(|ring| (*ring).clone()).collect();
-            areas.push(Space { outline, holes });
-        }
-        areas
+    pub(super) fn enclosed(&self) -> Vec<WalledArea> {
+        walled_areas(&joined(outlines(self.all.iter())))
     }
 
     /// A room cut back to the faces of the walls, if much of its outline is drawn into them.
-    pub(super) fn cut_back(&self, outline: &[Point]) -> Option<Space> {
+    pub(super) fn cut_back(&self, outline: &[Point]) -> Option<WalledArea> {
         let length: f64 = edges(outline).map(Segment::length).sum();
         let inside: f64 = edges(outline).map(|edge| self.share_inside(edge) * edge.length()).sum();
         if inside < length * SHARE_INTO_WALLS || !length.is_finite() {
             return None;
         }
         let bounds = Bounds::around(outline.iter().copied());
-        let walls = joined(self.near(bounds));
+        let walls = joined(outlines(self.near(bounds)));
         let rest = ring_surface(outline).difference(&walls);
         let (part, _) = largest_part(rest).filter(|(part, _)| part.unsigned_area() >= SMALLEST_ROOM)?;
-        Some(Space {
+        Some(WalledArea {
             outline: to_points(part.exterior()),
             holes: part.interiors().iter().map(to_points).collect(),
         })
@@ -112,13 +70,6 @@ impl<'a> Bodies<'a> {
     }
 }
 
-fn is_room(outline: &[Point]) -> bool {
-    let perimeter: f64 = edges(outline).map(Segment::length).sum();
-    let area = signed_area(outline).abs();
-    area >= SMALLEST_ROOM && 2.0 * area >= NARROWEST_ROOM * perimeter
-}
-
-fn joined<'a>(bodies: impl Iterator<Item = &'a Body>) -> MultiPolygon<f64> {
-    let surfaces: Vec<geo::Polygon<f64>> = bodies.map(|body| ring_surface(&body.outline)).collect();
-    unary_union(&surfaces)
+fn outlines<'a>(bodies: impl Iterator<Item = &'a Body>) -> impl Iterator<Item = &'a [Point]> {
+    bodies.map(|body| body.outline.as_slice())
 }

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::faces::{Bodies, Space};
+use super::faces::Bodies;
 use super::faults::Notes;
 use super::home::{HomeRoom, NAME, Piece};
 use crate::geometry::{Bounds, Point, ring_contains};
@@ -11,6 +11,7 @@ use crate::plan::limits::LEVEL_ROOMS;
 use crate::plan::read::foreign::{TypeOfWord, slug};
 use crate::plan::read::native::number_of_id;
 use crate::plan::read::room_names::{plain_words, type_of_words};
+use crate::plan::read::walled::WalledArea;
 use crate::plan::{RoomDraft, RoomWords};
 
 /// Rooms of a level that are compared with its walls; larger levels are no homes.
@@ -61,8 +62,8 @@ pub(super) fn drawn_rooms(
             cut_count += 1;
             first_cut = first_cut.or(Some(room.place));
         }
-        let Space { outline, holes } =
-            cut.unwrap_or_else(|| Space { outline: room.outline.clone(), holes: Vec::new() });
+        let WalledArea { outline, holes } =
+            cut.unwrap_or_else(|| WalledArea { outline: room.outline.clone(), holes: Vec::new() });
         let TypeOfWord { room_type, unknown_word } = naming.type_of(room);
         let id = ids.free(room.name.as_deref().unwrap_or_default(), room.id.as_deref());
         let number = ids.free_number(&id);
@@ -93,7 +94,7 @@ pub(super) fn drawn_rooms(
 /// The areas that the walls of a level enclose, as rooms without a name.
 pub(super) fn enclosed_rooms(bodies: &Bodies<'_>) -> Vec<RoomDraft> {
     let mut ids = Ids::default();
-    let rooms = bodies.enclosed().into_iter().map(|Space { outline, holes }| {
+    let rooms = bodies.enclosed().into_iter().map(|WalledArea { outline, holes }| {
         let TypeOfWord { room_type, unknown_word } = TypeOfWord::unknown("");
         let id = ids.free("room", None);
         let number = ids.free_number(&id);

@@ -1,0 +1,251 @@
+//! Reads curtain walls: their panes are windows, joined where they stand above each other.
+//!
+//! ```text
+//!   +----+----+-----+      panes of one wall, seen from outside: a window for each column of them on each storey,
+//!   |    |    |     |      down to the floor where they are; bars between columns stay walls, and doors that are
+//!   +----+----+ door|      parts of the wall are read with the other doors
+//!   |    |    |     |
+//! ```
+
+use std::collections::BTreeSet;
+
+use glam::DVec3;
+
+use super::columns::Products;
+use super::level::Storey;
+use super::model::{Entity, Read};
+use super::openings::Hole;
+use super::swing::Doorway;
+use crate::geometry::{Bounds, Point, edges};
+use crate::plan::assemble::BoxIndex;
+use crate::plan::{LeafDraft, OpeningDraft, OpeningKind, OpeningPlace};
+
+const CURTAINS: [&str; 1] = ["IFCCURTAINWALL"];
+const PANES: [&str; 2] = ["IFCPLATE", "IFCPLATESTANDARDCASE"];
+/// Panes of one wall that are compared with each other.
+const MOST_PANES: usize = 4_000;
+/// Parts of parts.
+const MOST_PARTS: usize = 20_000;
+/// Metres of the smallest pane on a storey, along the wall and in height; less is a frame.
+const SMALLEST: f64 = 0.2;
+/// Metres across the wall of the thickest pane, and heights to depths of the most slanting one.
+const THICKEST: f64 = 0.6;
+const STEEP: f64 = 1.5;
+/// Metres between panes above each other that are one window with a bar across, and by which columns of panes may overlap.
+const TRANSOM: f64 = 0.3;
+const OVERLAP: f64 = 0.05;
+/// Cosine of the angle and metres between panes of one line.
+const PARALLEL: f64 = 0.999;
+const ABREAST: f64 = 0.2;
+/// Metres from a pane to the edge of a room that it lights.
+const REACH: f64 = 0.6;
+
+/// Panes in one vertical plane.
+struct Line {
+    origin: Point,
+    along: Point,
+    spans: Vec<Span>,
+}
+
+/// A pane in its line: metres along it and of its height above the building's zero.
+#[derive(Clone, Debug, PartialEq)]
+struct Span {
+    pane: u64,
+    from: f64,
+    to: f64,
+    low: f64,
+    high: f64,
+}
+
+impl Span {
+    fn area(&self) -> f64 {
+        (self.to - self.from) * (self.high - self.low)
+    }
+}
+
+impl Products<'_> {
+    /// Whether a product is part of a curtain wall.
+    pub(super) fn is_panel(&self, product: u64) -> bool {
+        self.relations.wholes(product).any(|whole| self.geometry.model.is(whole, &CURTAINS))
+    }
+
+    /// Enters the panes of a building's curtain walls into its storeys.
+    pub(super) fn glaze(&self, storeys: &mut [Storey]) {
+        let places: Vec<BoxIndex<usize>> = storeys.iter().map(Storey::rooms_by_place).collect();
+        let mut unread: Vec<u64> = Vec::new();
+        for curtain in self.all(&CURTAINS) {
+            let mut lines: Vec<Line> = Vec::new();
+            for pane in self.panes(&curtain) {
+                match self.pane(pane) {
+                    Ok(Some(hole)) => enlist(&mut lines, pane, &hole),
+                    Ok(None) | Err(_) => unread.push(pane),
+                }
+            }
+            for line in &lines {
+                for (storey, rooms) in storeys.iter_mut().zip(&places) {
+                    self.light(storey, rooms, line);
+                }
+            }
+        }
+        if let [first, ..] = unread[..] {
+            let message = format!("panes of curtain walls: {} of them stand slanting or have no flat body", unread.len());
+            self.geometry.model.warn(first, message, "they are no windows");
+        }
+    }
+
+    /// The panes of a curtain wall, parts of parts too; the wall itself where it says nothing of its parts.
+    fn panes(&self, curtain: &Entity) -> Vec<u64> {
+        let mut parts: BTreeSet<u64> = BTreeSet::new();
+        let mut open = self.relations.parts(curtain.id).to_vec();
+        while let Some(part) = open.pop() {
+            if parts.len() < MOST_PARTS && part != curtain.id && parts.insert(part) {
+                open.extend(self.relations.parts(part));
+            }
+        }
+        if parts.is_empty() {
+            return vec![curtain.id];
+        }
+        parts.into_iter().filter(|part| self.geometry.model.is(*part, &PANES)).take(MOST_PANES).collect()
+    }
+
+    /// A pane along the direction in which it is thinnest; `None` if it is not thin or slants.
+    fn pane(&self, id: u64) -> Read<Option<Hole>> {
+        let pane = self.geometry.model.get(id)?;
+        let axes = self.frame * self.geometry.place(&pane)?;
+        let corners: Vec<DVec3> =
+            self.geometry.bodies(&pane, &self.frame)?.iter().flat_map(|body| body.corners()).collect();
+        let own = [DVec3::X, DVec3::Y].map(|axis| axes.transform_vector3(axis).truncate());
+        let mut best: Option<Hole> = None;
+        for along in own.into_iter().chain([diagonal(&corners)]) {
+            let Some(along) = along.try_normalize() else { continue };
+            let hole = hole_of(&corners, along);
+            if best.as_ref().is_none_or(|best| hole.depth + 1e-6 < best.depth) {
+                best = Some(hole);
+            }
+        }
+        Ok(best.filter(|hole| hole.depth <= THICKEST && hole.high - hole.low >= STEEP * hole.depth))
+    }
+
+    /// Drafts the windows of a line of panes on a storey, where rooms are behind it.
+    fn light(&self, storey: &mut Storey, rooms: &BoxIndex<usize>, line: &Line) {
+        let (floor, ceiling) = (storey.floor, storey.floor + storey.draft.height);
+        let mut spans: Vec<Span> = line.spans.iter().cloned().collect();
+        for span in &mut spans {
+            (span.low, span.high) = (span.low.max(floor), span.high.min(ceiling));
+        }
+        spans.retain(|span| span.high - span.low >= SMALLEST);
+        for span in columns(spans) {
+            let width = span.to - span.from;
+            let center = line.origin + line.along * span.from.midpoint(span.to);
+            let is_at_room = rooms.near(Bounds::around_point(center, REACH)).into_iter().any(|room| {
+                let room = &storey.draft.rooms[room];
+                let rings = std::iter::once(&room.outline).chain(&room.holes);
+                rings.into_iter().any(|ring| edges(ring).any(|edge| edge.distance(center) <= REACH))
+            });
+            if width < SMALLEST || !is_at_room {
+                continue;
+            }
+            let Ok(pane) = self.geometry.model.get(span.pane) else { continue };
+            let id = storey.free_opening_id(&pane);
+            storey.draft.openings.push(OpeningDraft {
+                id,
+                kind: OpeningKind::Window,
+                place: OpeningPlace::Points { center, along: Some(line.along) },
+                rooms: Vec::new(),
+                width,
+                bottom: span.low - floor,
+                top: span.high - floor,
+                leaf: LeafDraft::None,
+            });
+        }
+    }
+}
+
+/// The box of corners along a direction.
+fn hole_of(corners: &[DVec3], along: Point) -> Hole {
+    let span = |axis: DVec3| {
+        let places = corners.iter().map(|corner| corner.dot(axis));
+        places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)))
+    };
+    let [x, y, z] = [along.extend(0.0), along.perp().extend(0.0), DVec3::Z].map(span);
+    let center = along * x.0.midpoint(x.1) + along.perp() * y.0.midpoint(y.1);
+    let doorway = Doorway { center, along, width: x.1 - x.0 };
+    Hole { doorway, low: z.0, high: z.1, depth: y.1 - y.0 }
+}
+
+/// From the corner farthest left to the one farthest from it.
+fn diagonal(corners: &[DVec3]) -> Point {
+    let flat = || corners.iter().map(|corner| corner.truncate());
+    let Some(start) = flat().reduce(|best, next| if (next.x, next.y) < (best.x, best.y) { next } else { best })
+    else {
+        return Point::ZERO;
+    };
+    flat().map(|corner| corner - start).fold(Point::ZERO, |best, next| {
+        if next.length_squared() > best.length_squared() { next } else { best }
+    })
+}
+
+/// Adds a pane to the line that it stands in, or to a new one.
+fn enlist(lines: &mut Vec<Line>, pane: u64, hole: &Hole) {
+    let Doorway { center, along, width } = hole.doorway;
+    let is_in = |line: &&mut Line| {
+        line.along.dot(along).abs() > PARALLEL
+            && (center - line.origin).perp_dot(line.along).abs() < ABREAST
+    };
+    let found = lines.iter_mut().find(is_in);
+    let line = match found {
+        Some(line) => line,
+        None => {
+            lines.push(Line { origin: center, along, spans: Vec::new() });
+            let last = lines.len() - 1;
+            &mut lines[last]
+        }
+    };
+    let middle = (center - line.origin).dot(line.along);
+    let (from, to) = (middle - width / 2.0, middle + width / 2.0);
+    line.spans.push(Span { pane, from, to, low: hole.low, high: hole.high });
+}
+
+/// Joins panes above each other; of those with a solid stretch between, the largest is the window.
+fn columns(mut spans: Vec<Span>) -> Vec<Span> {
+    spans.sort_by(|a, b| a.from.total_cmp(&b.from).then(a.low.total_cmp(&b.low)).then(a.pane.cmp(&b.pane)));
+    let mut columns: Vec<Span> = Vec::new();
+    for span in spans {
+        match columns.last_mut().filter(|last| span.from < last.to - OVERLAP) {
+            Some(last) if span.low < last.high + TRANSOM && last.low < span.high + TRANSOM => {
+                last.to = last.to.max(span.to);
+                (last.low, last.high) = (last.low.min(span.low), last.high.max(span.high));
+            }
+            Some(last) if span.area() > last.area() => *last = span,
+            Some(_) => {}
+            None => columns.push(span),
+        }
+    }
+    columns
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn span(pane: u64, along: (f64, f64), height: (f64, f64)) -> Span {
+        Span { pane, from: along.0, to: along.1, low: height.0, high: height.1 }
+    }
+
+    #[test]
+    fn panes_above_each_other_are_one_window() {
+        let panes = vec![
+            span(2, (0.0, 1.0), (1.05, 2.5)),
+            span(1, (0.0, 1.0), (0.0, 1.0)),
+            span(3, (1.05, 2.0), (0.0, 2.5)),
+        ];
+        let joined = [span(1, (0.0, 1.0), (0.0, 2.5)), span(3, (1.05, 2.0), (0.0, 2.5))];
+        assert_eq!(columns(panes), joined);
+    }
+
+    #[test]
+    fn of_panes_with_a_parapet_between_the_larger_is_the_window() {
+        let panes = vec![span(1, (0.0, 1.0), (0.0, 0.4)), span(2, (0.0, 1.0), (0.9, 2.4))];
+        assert_eq!(columns(panes.clone()), [panes[1].clone()]);
+    }
+}
