@@ -29,6 +29,7 @@ mod rings;
 mod room_names;
 mod sample;
 mod solids;
+mod straight;
 mod sweet_home;
 mod swiss_dwellings;
 mod unread;

@@ -51,14 +51,16 @@ pub(super) fn walled_areas(joined: &MultiPolygon<f64>) -> Vec<WalledArea> {
         .iter()
         .enumerate()
         .flat_map(|(own, part)| part.interiors().iter().map(move |ring| (own, to_points(ring))));
-    let is_within =
-        |ring: &[Point], outline: &[Point]| ring.first().is_some_and(|corner| ring_contains(outline, *corner));
+    let is_within = |ring: &[Point], outline: &[Point]| {
+        ring.first().is_some_and(|corner| ring_contains(outline, *corner))
+    };
     let mut areas = Vec::new();
     for (own, outline) in insides.filter(|(_, outline)| is_room(outline)) {
         let bounds = Bounds::around(outline.iter().copied());
-        let islands = rings.iter().enumerate().filter(|(number, ring)| {
-            *number != own && bounds.contains(ring[0]) && is_within(ring, &outline)
-        });
+        let islands = rings
+            .iter()
+            .enumerate()
+            .filter(|(number, ring)| *number != own && bounds.contains(ring[0]) && is_within(ring, &outline));
         let islands: Vec<&Vec<Point>> = islands.map(|(_, ring)| ring).collect();
         // What lies within an island is no hole of this area.
         let is_outermost = |ring: &Vec<Point>| {

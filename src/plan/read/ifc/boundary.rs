@@ -61,7 +61,9 @@ pub(super) fn bounded(
     }
     let area = |ring: &[Point]| signed_area(ring).abs();
     let floors = footprints(&[IfcBody::Faces(faces)]);
-    let floor = floors.into_iter().reduce(|best, next| if area(&next.outer) > area(&best.outer) { next } else { best });
+    let floor = floors
+        .into_iter()
+        .reduce(|best, next| if area(&next.outer) > area(&best.outer) { next } else { best });
     let ring = chained(sides);
     let of_ring = |outer| Footprint { outer, holes: Vec::new(), low: heights.0, high: heights.1 };
     Ok(match (floor, ring) {
@@ -79,11 +81,12 @@ fn side(face: &Rings) -> Option<Segment> {
         return None;
     }
     let flat = || face.outer.iter().map(|corner| corner.truncate());
-    let farthest = |from: Point| {
-        flat().fold(from, |best, next| {
-            if next.distance_squared(from) > best.distance_squared(from) { next } else { best }
-        })
-    };
+    let farthest =
+        |from: Point| {
+            flat().fold(from, |best, next| {
+                if next.distance_squared(from) > best.distance_squared(from) { next } else { best }
+            })
+        };
     let start = farthest(first.truncate());
     let segment = Segment::new(start, farthest(start));
     (segment.length() >= SHORTEST).then_some(segment)
@@ -91,18 +94,19 @@ fn side(face: &Rings) -> Option<Segment> {
 
 /// The largest ring that sides make, each joined to the nearest that is left.
 fn chained(sides: Vec<Segment>) -> Option<Vec<Point>> {
+    if sides.len() > MOST_SIDES {
+        return None;
+    }
     let mut open: Vec<Segment> = Vec::new();
     for side in sides {
-        let is_known = |known: &Segment| {
-            known.distance(side.start) < SHORTEST && known.distance(side.end) < SHORTEST
-        };
+        let is_known =
+            |known: &Segment| known.distance(side.start) < SHORTEST && known.distance(side.end) < SHORTEST;
         if !open.iter().any(is_known) {
-            open.retain(|known| side.distance(known.start) >= SHORTEST || side.distance(known.end) >= SHORTEST);
+            open.retain(|known| {
+                side.distance(known.start) >= SHORTEST || side.distance(known.end) >= SHORTEST
+            });
             open.push(side);
         }
-    }
-    if open.len() > MOST_SIDES {
-        return None;
     }
     let mut best: Option<Vec<Point>> = None;
     while let Some(first) = open.pop() {
@@ -140,7 +144,8 @@ fn corners(chain: &[Segment]) -> Vec<Point> {
         let crossing = side.vector().perp_dot(next.vector());
         let along = (next.start - side.start).perp_dot(next.vector()) / crossing;
         let meeting = side.start + side.vector() * along;
-        if crossing.abs() > 1e-9 && meeting.distance(side.end) < JOINT && meeting.distance(next.start) < JOINT {
+        if crossing.abs() > 1e-9 && meeting.distance(side.end) < JOINT && meeting.distance(next.start) < JOINT
+        {
             corners.push(meeting);
         } else {
             corners.extend([side.end, next.start]);
@@ -198,7 +203,8 @@ impl Geometry<'_> {
                     *end = surface.number(place + 1)? * self.units.length;
                 }
                 let [u1, v1, u2, v2] = ends;
-                let outer = [(u1, v1), (u2, v1), (u2, v2), (u1, v2)].map(|(u, v)| DVec3::new(u, v, 0.0)).to_vec();
+                let outer =
+                    [(u1, v1), (u2, v1), (u2, v2), (u1, v2)].map(|(u, v)| DVec3::new(u, v, 0.0)).to_vec();
                 Ok(vec![Rings { outer, holes: Vec::new() }.moved(&self.axes(plane.value(0))?)])
             }
             _ => Err(surface.trouble("boundaries of this kind are not read")),

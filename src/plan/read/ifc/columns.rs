@@ -15,7 +15,8 @@ use crate::plan::clean::to_simple;
 use crate::plan::{ObstacleDraft, RoomDraft};
 
 /// Elements that divide rooms. Curtain walls and walls of parts have the bodies of their parts.
-pub(super) const WALLS: [&str; 4] = ["IFCWALL", "IFCWALLSTANDARDCASE", "IFCWALLELEMENTEDCASE", "IFCCURTAINWALL"];
+pub(super) const WALLS: [&str; 4] =
+    ["IFCWALL", "IFCWALLSTANDARDCASE", "IFCWALLELEMENTEDCASE", "IFCCURTAINWALL"];
 const COLUMNS: [&str; 2] = ["IFCCOLUMN", "IFCCOLUMNSTANDARDCASE"];
 /// Metres above the floor between which something stands in the way of walkers.
 const WALKED: (f64, f64) = (0.1, 1.0);

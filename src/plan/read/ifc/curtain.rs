@@ -6,13 +6,16 @@
 //!   +----+----+ door|      parts of the wall are read with the other doors
 //!   |    |    |     |
 //! ```
+//!
+//! A file that draws some panes as glass means the opaque ones as solid panels; one that draws none so says nothing of it.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use glam::DVec3;
 
 use super::columns::Products;
 use super::level::Storey;
+use super::looks::Looks;
 use super::model::{Entity, Read};
 use super::openings::Hole;
 use super::swing::Doorway;
@@ -73,9 +76,10 @@ impl Products<'_> {
     pub(super) fn glaze(&self, storeys: &mut [Storey]) {
         let places: Vec<BoxIndex<usize>> = storeys.iter().map(Storey::rooms_by_place).collect();
         let mut unread: Vec<u64> = Vec::new();
-        for curtain in self.all(&CURTAINS) {
+        let curtains: Vec<Vec<u64>> = self.all(&CURTAINS).map(|curtain| self.panes(&curtain)).collect();
+        for panes in self.glass(curtains) {
             let mut lines: Vec<Line> = Vec::new();
-            for pane in self.panes(&curtain) {
+            for pane in panes {
                 match self.pane(pane) {
                     Ok(Some(hole)) => enlist(&mut lines, pane, &hole),
                     Ok(None) | Err(_) => unread.push(pane),
@@ -88,9 +92,28 @@ impl Products<'_> {
             }
         }
         if let [first, ..] = unread[..] {
-            let message = format!("panes of curtain walls: {} of them stand slanting or have no flat body", unread.len());
+            let message = format!(
+                "panes of curtain walls: {} of them stand slanting or have no flat body",
+                unread.len()
+            );
             self.geometry.model.warn(first, message, "they are no windows");
         }
+    }
+
+    /// Without the panes that are drawn opaque, where others are drawn as glass.
+    fn glass(&self, mut curtains: Vec<Vec<u64>>) -> Vec<Vec<u64>> {
+        let model = self.geometry.model;
+        if curtains.is_empty() {
+            return curtains;
+        }
+        let looks = Looks::of(model);
+        let is_glass = |pane: &u64| looks.is_glass(self.geometry, &model.get(*pane).ok()?);
+        let drawn: BTreeMap<u64, Option<bool>> =
+            curtains.iter().flatten().map(|pane| (*pane, is_glass(pane))).collect();
+        if drawn.values().any(|is_glass| *is_glass == Some(true)) {
+            curtains.iter_mut().for_each(|panes| panes.retain(|pane| drawn[pane] != Some(false)));
+        }
+        curtains
     }
 
     /// The panes of a curtain wall, parts of parts too; the wall itself where it says nothing of its parts.
@@ -129,7 +152,7 @@ impl Products<'_> {
     /// Drafts the windows of a line of panes on a storey, where rooms are behind it.
     fn light(&self, storey: &mut Storey, rooms: &BoxIndex<usize>, line: &Line) {
         let (floor, ceiling) = (storey.floor, storey.floor + storey.draft.height);
-        let mut spans: Vec<Span> = line.spans.iter().cloned().collect();
+        let mut spans: Vec<Span> = line.spans.clone();
         for span in &mut spans {
             (span.low, span.high) = (span.low.max(floor), span.high.min(ceiling));
         }
@@ -176,7 +199,8 @@ fn hole_of(corners: &[DVec3], along: Point) -> Hole {
 /// From the corner farthest left to the one farthest from it.
 fn diagonal(corners: &[DVec3]) -> Point {
     let flat = || corners.iter().map(|corner| corner.truncate());
-    let Some(start) = flat().reduce(|best, next| if (next.x, next.y) < (best.x, best.y) { next } else { best })
+    let Some(start) =
+        flat().reduce(|best, next| if (next.x, next.y) < (best.x, best.y) { next } else { best })
     else {
         return Point::ZERO;
     };
@@ -189,8 +213,7 @@ fn diagonal(corners: &[DVec3]) -> Point {
 fn enlist(lines: &mut Vec<Line>, pane: u64, hole: &Hole) {
     let Doorway { center, along, width } = hole.doorway;
     let is_in = |line: &&mut Line| {
-        line.along.dot(along).abs() > PARALLEL
-            && (center - line.origin).perp_dot(line.along).abs() < ABREAST
+        line.along.dot(along).abs() > PARALLEL && (center - line.origin).perp_dot(line.along).abs() < ABREAST
     };
     let found = lines.iter_mut().find(is_in);
     let line = match found {

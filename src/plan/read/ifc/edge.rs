@@ -34,7 +34,9 @@ impl Geometry<'_> {
                 }
                 Ok(corners)
             }
-            "IFCEDGE" | "IFCSUBEDGE" => Ok(vec![self.vertex(edge.reference(0)?)?, self.vertex(edge.reference(1)?)?]),
+            "IFCEDGE" | "IFCSUBEDGE" => {
+                Ok(vec![self.vertex(edge.reference(0)?)?, self.vertex(edge.reference(1)?)?])
+            }
             "IFCEDGECURVE" => self.edge_curve(&edge, depth),
             _ => Err(edge.trouble("edges of this kind are not read")),
         }

@@ -1,7 +1,5 @@
 //! Gives spaces without a body the area that walls enclose around their place.
 
-use std::collections::BTreeSet;
-
 use super::columns::Products;
 use super::footprint::Footprint;
 use super::level::Storey;
@@ -38,9 +36,8 @@ impl Products<'_> {
             }
             let enclosure = enclosure(storey, &walls);
             naming.taken = storey.draft.rooms.iter().map(|room| room.id.clone()).collect();
-            let mut used = BTreeSet::new();
             for space in &spaces {
-                match self.enclosed(space, storey, &enclosure, &mut used) {
+                match self.enclosed(space, storey, &enclosure) {
                     Ok(part) => {
                         let read = drafted(space, vec![part], naming);
                         storey.add(read);
@@ -69,24 +66,17 @@ impl Products<'_> {
     }
 
     /// The area around the place of a space, as high as the lowest wall beside it; or why there is none.
-    fn enclosed(
-        &self,
-        space: &Entity,
-        storey: &Storey,
-        enclosure: &Enclosure,
-        used: &mut BTreeSet<usize>,
-    ) -> Result<Footprint, String> {
+    fn enclosed(&self, space: &Entity, storey: &Storey, enclosure: &Enclosure) -> Result<Footprint, String> {
         let Some((place, _)) = self.floor_of(space) else { return Err("no place".to_owned()) };
         let low = storey.floor;
         let at = format!("({:.2}, {:.2})", place.x, place.y);
         if let Some(room) = storey.draft.rooms.iter().find(|room| ring_contains(&room.outline, place)) {
             return Err(format!("its place {at} lies in room \"{}\"", room.id));
         }
-        let area = enclosure.areas.iter().position(|area| area.contains(place));
-        let Some(area) = area.filter(|area| used.insert(*area)) else {
+        let Some(area) = enclosure.areas.iter().find(|area| area.contains(place)) else {
             return Err(format!("no walls are all around its place {at}"));
         };
-        let WalledArea { outline, holes } = enclosure.areas[area].clone();
+        let WalledArea { outline, holes } = area.clone();
         let bounds = Bounds::around(outline.iter().copied());
         let beside = enclosure.walls.iter().filter(|wall| {
             let wall = Bounds::around(wall.outer.iter().copied());

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::bends::straighten;
 use super::columns::Products;
 use super::level::Storey;
 use super::model::{Entity, Read};
@@ -92,10 +93,15 @@ impl Products<'_> {
             }
         }
         self.glaze(storeys);
-        storeys.iter_mut().for_each(|storey| join_stacks(&mut storey.draft.openings));
+        for storey in storeys.iter_mut() {
+            join_stacks(&mut storey.draft.openings);
+            straighten(storey);
+        }
         if let [first, ..] = overhead[..] {
-            let count = if overhead.len() == 1 { "one is".to_owned() } else { format!("{} are", overhead.len()) };
-            let message = format!("roof windows and hatches: {count} left out, as a plan has openings in walls only");
+            let count =
+                if overhead.len() == 1 { "one is".to_owned() } else { format!("{} are", overhead.len()) };
+            let message =
+                format!("roof windows and hatches: {count} left out, as a plan has openings in walls only");
             let hint = "one that is steeper than 60 degrees is read as a window of the wall beside it";
             model.warn(first, message, hint);
         }

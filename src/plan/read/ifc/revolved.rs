@@ -33,7 +33,8 @@ impl Geometry<'_> {
         let turned = |step: u32| {
             let angle = sweep * f64::from(step) / f64::from(count);
             let there = DAffine3::from_translation(origin);
-            let turn = there * DAffine3::from_quat(DQuat::from_axis_angle(direction, angle)) * there.inverse();
+            let turn =
+                there * DAffine3::from_quat(DQuat::from_axis_angle(direction, angle)) * there.inverse();
             rings.moved(&(frame * turn))
         };
         let steps: Vec<Rings> = (0..=count).map(turned).collect();
@@ -113,8 +114,13 @@ mod tests {
         let round = "#1=IFCCARTESIANPOINT((0.,0.,1.));#2=IFCAXIS2PLACEMENT3D(#1,$,$);";
         let (sphere, height) = measures(&format!("{round}#4=IFCSPHERE(#2,2.);"), 4).unwrap();
         assert!((sphere - 12.566).abs() < 0.1 && (height - 4.0).abs() < 1e-9, "{sphere}, {height}");
-        let (cylinder, height) = measures(&format!("{round}#4=IFCRIGHTCIRCULARCYLINDER(#2,2.5,2.);"), 4).unwrap();
+        let (cylinder, height) =
+            measures(&format!("{round}#4=IFCRIGHTCIRCULARCYLINDER(#2,2.5,2.);"), 4).unwrap();
         assert!((cylinder - sphere).abs() < 1e-9 && (height - 2.5).abs() < 1e-9);
-        assert_measures("#1=IFCCARTESIANPOINT((0.,0.,0.));#2=IFCAXIS2PLACEMENT3D(#1,$,$);#4=IFCBLOCK(#2,4.,3.,2.);", 4, (12.0, 2.0));
+        assert_measures(
+            "#1=IFCCARTESIANPOINT((0.,0.,0.));#2=IFCAXIS2PLACEMENT3D(#1,$,$);#4=IFCBLOCK(#2,4.,3.,2.);",
+            4,
+            (12.0, 2.0),
+        );
     }
 }

@@ -98,9 +98,12 @@ impl<'a> Naming<'a> {
 
     /// One warning for each way in which spaces without a body were outlined, at the first of them.
     pub(super) fn warn(&self, model: &Model) {
-        for (spaces, by) in [(&self.by_boundaries, "their boundaries"), (&self.by_walls, "the walls around them")] {
+        for (spaces, by) in
+            [(&self.by_boundaries, "their boundaries"), (&self.by_walls, "the walls around them")]
+        {
             if let [first, ..] = spaces[..] {
-                let count = if spaces.len() == 1 { "1 has".to_owned() } else { format!("{} have", spaces.len()) };
+                let count =
+                    if spaces.len() == 1 { "1 has".to_owned() } else { format!("{} have", spaces.len()) };
                 let message = format!("spaces without a body: {count} the outline of {by}");
                 model.warn(first, message, "export spaces with their bodies if a room looks wrong");
             }

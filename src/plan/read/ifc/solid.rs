@@ -69,10 +69,9 @@ impl Geometry<'_> {
                 self.block(&item, &corner)
             }
             "IFCBLOCK" => self.block(&item, &self.axes(item.value(0))?),
-            "IFCFACETEDBREP"
-            | "IFCFACETEDBREPWITHVOIDS"
-            | "IFCADVANCEDBREP"
-            | "IFCADVANCEDBREPWITHVOIDS" => self.shells(&[item.reference(0)?]),
+            "IFCFACETEDBREP" | "IFCFACETEDBREPWITHVOIDS" | "IFCADVANCEDBREP" | "IFCADVANCEDBREPWITHVOIDS" => {
+                self.shells(&[item.reference(0)?])
+            }
             "IFCFACEBASEDSURFACEMODEL" | "IFCSHELLBASEDSURFACEMODEL" => self.shells(&item.references(0)?),
             "IFCPOLYGONALFACESET" | "IFCTRIANGULATEDFACESET" => self.face_set(&item),
             "IFCGEOMETRICSET" | "IFCGEOMETRICCURVESET" => {

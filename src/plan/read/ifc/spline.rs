@@ -95,7 +95,8 @@ pub(super) struct Spline {
 impl Spline {
     fn at(&self, parameter: f64) -> DVec3 {
         let (first, weights) = self.knots.weights(parameter);
-        let sum: DVec4 = weights.iter().zip(&self.points[first..]).map(|(weight, point)| *point * *weight).sum();
+        let sum: DVec4 =
+            weights.iter().zip(&self.points[first..]).map(|(weight, point)| *point * *weight).sum();
         sum.truncate() / sum.w
     }
 
@@ -179,8 +180,12 @@ impl Geometry<'_> {
             let of_row = |row: &[DVec4]| -> DVec4 {
                 v_weights.1.iter().zip(&row[v_weights.0..]).map(|(weight, point)| *point * *weight).sum()
             };
-            let sum: DVec4 =
-                u_weights.1.iter().zip(&points[u_weights.0..]).map(|(weight, row)| of_row(row) * *weight).sum();
+            let sum: DVec4 = u_weights
+                .1
+                .iter()
+                .zip(&points[u_weights.0..])
+                .map(|(weight, row)| of_row(row) * *weight)
+                .sum();
             sum.truncate() / sum.w
         };
         let columns: Vec<(usize, Vec<f64>)> = columns.iter().map(|at| v.weights(*at)).collect();

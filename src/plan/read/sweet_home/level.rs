@@ -8,12 +8,12 @@ use super::home::{Home, HomeLevel, HomeRoom, HomeWall, Piece};
 use super::openings::opening;
 use super::pieces::{free_walls, stairs};
 use super::rooms::{Naming, drawn_rooms, enclosed_rooms, note_fixtures};
-use super::round::straightened;
 use super::walls::{Body, bodies, usual_thicknesses};
 use crate::document::counted;
 use crate::geometry::Point;
 use crate::plan::limits::STOREY_HEIGHT;
 use crate::plan::read::foreign::slug;
+use crate::plan::read::straight::straightened;
 use crate::plan::{LevelDraft, OpeningPlace, OutlineKind, RoomDraft};
 
 /// Metres of slabs in homes that say nothing of them.

@@ -25,7 +25,6 @@ mod level;
 mod openings;
 mod pieces;
 mod rooms;
-mod round;
 mod walls;
 mod xml;
 
