@@ -27,6 +27,8 @@ const CURTAINS: [&str; 1] = ["IFCCURTAINWALL"];
 const PANES: [&str; 2] = ["IFCPLATE", "IFCPLATESTANDARDCASE"];
 /// Panes of one wall that are compared with each other.
 const MOST_PANES: usize = 4_000;
+/// Openings beside a pane that are looked at.
+const MOST_BESIDE: usize = 256;
 /// Parts of parts.
 const MOST_PARTS: usize = 20_000;
 /// Metres of the smallest pane on a storey, along the wall and in height; less is a frame.
@@ -42,6 +44,58 @@ const PARALLEL: f64 = 0.999;
 const ABREAST: f64 = 0.2;
 /// Metres from a pane to the edge of a room that it lights.
 const REACH: f64 = 0.6;
+
+/// The rooms of a storey by their place, and its doors and windows.
+struct Places {
+    rooms: BoxIndex<usize>,
+    openings: BoxIndex<usize>,
+}
+
+impl Places {
+    fn of(storey: &Storey) -> Self {
+        let openings = storey.draft.openings.iter().map(|opening| match opening.place {
+            OpeningPlace::Points { center, .. } => Bounds::around_point(center, opening.width / 2.0),
+            OpeningPlace::Edge { .. } => Bounds::around_point(Point::ZERO, 0.0),
+        });
+        Self { rooms: storey.rooms_by_place(), openings: BoxIndex::of(openings.zip(0..)) }
+    }
+
+    fn is_at_room(&self, storey: &Storey, center: Point) -> bool {
+        self.rooms.near(Bounds::around_point(center, REACH)).into_iter().any(|room| {
+            let room = &storey.draft.rooms[room];
+            let mut rings = std::iter::once(&room.outline).chain(&room.holes);
+            rings.any(|ring| edges(ring).any(|edge| edge.distance(center) <= REACH))
+        })
+    }
+
+    /// What doors and windows of a storey leave of a pane: a wall of glass around them is drawn as one.
+    fn free(&self, storey: &Storey, line: &Line, span: &Span) -> Vec<Span> {
+        let ends = [span.from, span.to].map(|at| line.origin + line.along * at);
+        let mut taken: Vec<(f64, f64)> = Vec::new();
+        let beside = Bounds::around(ends).inflated(REACH);
+        let mut near: Vec<usize> = self.openings.meeting(beside).take(MOST_BESIDE).collect();
+        near.sort_unstable();
+        for number in near {
+            let opening = &storey.draft.openings[number];
+            let OpeningPlace::Points { center, along: Some(along) } = opening.place else { continue };
+            let off = center - line.origin;
+            let is_in = off.perp_dot(line.along).abs() < REACH && along.dot(line.along).abs() > PARALLEL;
+            let middle = off.dot(line.along);
+            taken.extend(is_in.then_some((middle - opening.width / 2.0, middle + opening.width / 2.0)));
+        }
+        taken.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut free = Vec::new();
+        let mut from = span.from;
+        for (start, end) in taken.into_iter().chain([(span.to, span.to)]) {
+            let to = start.min(span.to);
+            if to - from >= SMALLEST {
+                free.push(Span { from, to, ..span.clone() });
+            }
+            from = from.max(end);
+        }
+        free
+    }
+}
 
 /// Panes in one vertical plane.
 struct Line {
@@ -74,7 +128,7 @@ impl Products<'_> {
 
     /// Enters the panes of a building's curtain walls into its storeys.
     pub(super) fn glaze(&self, storeys: &mut [Storey]) {
-        let places: Vec<BoxIndex<usize>> = storeys.iter().map(Storey::rooms_by_place).collect();
+        let places: Vec<Places> = storeys.iter().map(Places::of).collect();
         let mut unread: Vec<u64> = Vec::new();
         let curtains: Vec<Vec<u64>> = self.all(&CURTAINS).map(|curtain| self.panes(&curtain)).collect();
         for panes in self.glass(curtains) {
@@ -86,8 +140,8 @@ impl Products<'_> {
                 }
             }
             for line in &lines {
-                for (storey, rooms) in storeys.iter_mut().zip(&places) {
-                    self.light(storey, rooms, line);
+                for (storey, places) in storeys.iter_mut().zip(&places) {
+                    self.light(storey, places, line);
                 }
             }
         }
@@ -150,22 +204,18 @@ impl Products<'_> {
     }
 
     /// Drafts the windows of a line of panes on a storey, where rooms are behind it.
-    fn light(&self, storey: &mut Storey, rooms: &BoxIndex<usize>, line: &Line) {
+    fn light(&self, storey: &mut Storey, places: &Places, line: &Line) {
         let (floor, ceiling) = (storey.floor, storey.floor + storey.draft.height);
         let mut spans: Vec<Span> = line.spans.clone();
         for span in &mut spans {
             (span.low, span.high) = (span.low.max(floor), span.high.min(ceiling));
         }
         spans.retain(|span| span.high - span.low >= SMALLEST);
-        for span in columns(spans) {
+        let free = columns(spans).into_iter().flat_map(|span| places.free(storey, line, &span));
+        for span in free.collect::<Vec<_>>() {
             let width = span.to - span.from;
             let center = line.origin + line.along * span.from.midpoint(span.to);
-            let is_at_room = rooms.near(Bounds::around_point(center, REACH)).into_iter().any(|room| {
-                let room = &storey.draft.rooms[room];
-                let rings = std::iter::once(&room.outline).chain(&room.holes);
-                rings.into_iter().any(|ring| edges(ring).any(|edge| edge.distance(center) <= REACH))
-            });
-            if width < SMALLEST || !is_at_room {
+            if width < SMALLEST || !places.is_at_room(storey, center) {
                 continue;
             }
             let Ok(pane) = self.geometry.model.get(span.pane) else { continue };

@@ -123,7 +123,8 @@ impl Products<'_> {
         let in_hole =
             hole.map(|hole| self.geometry.model.get(*hole).and_then(|hole| self.hole(&hole, along, width)));
         if is_overhead {
-            let found = in_hole.unwrap_or_else(|| self.hole(product, along, width));
+            // Holes are cut far through the roof; what fills them has the slope.
+            let found = self.hole(product, along, width).or_else(|own| in_hole.unwrap_or(Err(own)));
             let steep = found.ok().filter(|hole| hole.high - hole.low >= STEEP * hole.depth);
             return Ok(steep.map_or(Found::Overhead, Found::Opening));
         }

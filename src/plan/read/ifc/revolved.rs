@@ -88,7 +88,6 @@ fn disk(frame: DAffine3, radius: f64) -> Rings {
 #[cfg(test)]
 mod tests {
     use super::super::solid::tests::{assert_measures, measures};
-    use super::*;
 
     /// A profile of 0.2 by 3 m, 4 m from the axis z of the product.
     const PROFILE: &str = "#1=IFCCARTESIANPOINT((0.,0.,0.));#2=IFCDIRECTION((0.,-1.,0.));#3=IFCDIRECTION((1.,0.,0.));\

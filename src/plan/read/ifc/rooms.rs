@@ -44,6 +44,7 @@ pub(super) fn space(
     let is_bodiless = !geometry.has_body(space);
     match bounded(geometry, frame, space, boundaries) {
         Ok(Some(part)) => {
+            naming.bounded.push(space.id);
             if is_bodiless {
                 naming.by_boundaries.push(space.id);
             } else {
@@ -85,7 +86,9 @@ pub(super) fn drafted(space: &Entity, parts: Vec<Footprint>, naming: &mut Naming
 pub(super) struct Naming<'a> {
     /// Ids of the level that is read.
     pub(super) taken: BTreeSet<String>,
-    /// Spaces whose outline is that of their boundaries, and of the walls around them.
+    /// Spaces whose outline is that of their boundaries, which some programs draw in the middle of walls.
+    pub(super) bounded: Vec<u64>,
+    /// Those of them without a body, and those with the outline of the walls around them.
     pub(super) by_boundaries: Vec<u64>,
     pub(super) by_walls: Vec<u64>,
     pub(super) room_type: &'a dyn Fn(&Entity) -> TypeOfWord,
@@ -93,7 +96,13 @@ pub(super) struct Naming<'a> {
 
 impl<'a> Naming<'a> {
     pub(super) fn new(room_type: &'a dyn Fn(&Entity) -> TypeOfWord) -> Self {
-        Self { taken: BTreeSet::new(), by_boundaries: Vec::new(), by_walls: Vec::new(), room_type }
+        Self {
+            taken: BTreeSet::new(),
+            bounded: Vec::new(),
+            by_boundaries: Vec::new(),
+            by_walls: Vec::new(),
+            room_type,
+        }
     }
 
     /// One warning for each way in which spaces without a body were outlined, at the first of them.
