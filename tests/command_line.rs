@@ -21,6 +21,7 @@ mod command_line {
     mod handbook;
     mod honeybee;
     mod hostile_words;
+    mod ifc;
     mod indoor;
     mod init;
     mod level_lists;

@@ -62,6 +62,7 @@ pub(super) fn buildings(
         note_fixtures(model, &relations, words, &mut storeys);
         products.stand(&mut storeys);
         products.open(&mut storeys);
+        storeys.iter_mut().for_each(Storey::measure_outer_walls);
         let id = if is_single { name.to_owned() } else { format!("{name}_{}", home.id) };
         let mut pieces = if is_furniture_wanted { products.furniture(&storeys, &id) } else { Vec::new() };
         let mut levels: Vec<_> = storeys.into_iter().map(|storey| storey.draft).collect();
@@ -69,7 +70,8 @@ pub(super) fn buildings(
         levels.iter_mut().for_each(|level| shift(level, by));
         pieces.iter_mut().for_each(|piece| piece.center += by);
         let draft = BuildingDraft { name: title(model, home.id), levels, ..BuildingDraft::default() };
-        drafted.push((DraftedBuilding { id, draft, ..DraftedBuilding::default() }, pieces));
+        let settled = DraftedBuilding { id, draft, is_settled: true, ..DraftedBuilding::default() };
+        drafted.push((settled, pieces));
     }
     for space in spaces.values().flatten() {
         let message = format!("space \"{}\" is on no storey", space.text(2).unwrap_or_default());

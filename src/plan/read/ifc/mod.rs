@@ -22,6 +22,7 @@ mod curtain;
 mod curve;
 mod edge;
 mod enclosed;
+mod exterior;
 mod fixtures;
 mod footprint;
 mod furniture;
