@@ -61,3 +61,33 @@ fn of_style(model: &Model, id: u64, depth: usize) -> Vec<f64> {
     let inner = inner.ok().filter(|_| depth < DEEPEST).unwrap_or_default();
     inner.into_iter().flat_map(|style| of_style(model, style, depth + 1)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::document::Source;
+
+    const PANE: &str = "#1=IFCPLATE('a',$,$,$,$,$,#2,$,$);#2=IFCPRODUCTDEFINITIONSHAPE($,$,(#3));\
+        #3=IFCSHAPEREPRESENTATION($,'Body','x',(#4));#4=IFCMAPPEDITEM(#5,#9);#5=IFCREPRESENTATIONMAP(#9,#6);\
+        #6=IFCSHAPEREPRESENTATION($,'Body','x',(#7));#7=IFCFACETEDBREP(#9);#10=IFCSTYLEDITEM(#7,(#11),$);\
+        #11=IFCPRESENTATIONSTYLEASSIGNMENT((#12));#12=IFCSURFACESTYLE('Glas',.BOTH.,(#13));\
+        #13=IFCSURFACESTYLERENDERING(#14,0.75,$,$,$,$,$,$,.FLAT.);";
+
+    #[test]
+    fn glass_lets_light_through_and_what_has_no_style_says_nothing() {
+        for (from, to, is_glass) in [
+            ("0.75", "0.75", Some(true)),
+            ("0.75", "0.", Some(false)),
+            ("0.75", "$", Some(false)),
+            ("#10=IFCSTYLEDITEM(#7", "#10=IFCSTYLEDITEM(#8", None),
+            ("(#12)", "(#11)", None),
+        ] {
+            let data = format!("DATA;\n{}\nENDSEC;\nEND-ISO-10303-21;", PANE.replacen(from, to, 1));
+            let model = Model::new(Source::new(Path::new("pane.ifc"), &data));
+            let (geometry, looks) = (Geometry::new(&model), Looks::of(&model));
+            assert_eq!(looks.is_glass(&geometry, &model.get(1).unwrap()), is_glass, "{to}");
+        }
+    }
+}

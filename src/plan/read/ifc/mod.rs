@@ -30,6 +30,7 @@ mod level;
 mod looks;
 mod model;
 mod openings;
+mod panes;
 mod placement;
 mod profile;
 mod relations;
