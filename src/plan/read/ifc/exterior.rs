@@ -1,4 +1,4 @@
-//! Measures how thick the outer walls of a storey are drawn: plans have one thickness for all of a level.
+//! Measures how thick the outer walls of a storey are drawn, for those of its outer walls that are not.
 
 use super::level::Storey;
 use crate::geometry::{Bounds, Point, Segment, edges, ring_contains, signed_area};
@@ -21,7 +21,7 @@ const MOST_CORNERS: usize = 256;
 const STEPS: f64 = 1000.0;
 
 impl Storey {
-    /// Takes the thickness of its outer walls from the drawn ones: that of the middle metre of all.
+    /// Takes the thickness of outer walls that are not drawn from those that are: that of the middle metre of all.
     pub(super) fn measure_outer_walls(&mut self) {
         let simple = self.draft.wall_outlines.iter().zip(0..).filter(|(wall, _)| wall.len() <= MOST_CORNERS);
         let walls = BoxIndex::of(simple.map(|(wall, number)| (bounds(wall), number)));
