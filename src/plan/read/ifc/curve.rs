@@ -40,7 +40,7 @@ impl Conic {
     }
 
     /// Corners from one angle to another; the same angle makes a whole turn.
-    pub(super) fn from_to(&self, from: f64, to: f64, is_forward: bool) -> Vec<DVec3> {
+    pub(super) fn arc_between(&self, from: f64, to: f64, is_forward: bool) -> Vec<DVec3> {
         let turn = |angle: f64| {
             let rest = angle.rem_euclid(TAU);
             if rest < SAME_ANGLE || TAU - rest < SAME_ANGLE { TAU } else { rest }
@@ -127,7 +127,7 @@ impl Geometry<'_> {
         let conic = self.conic(&basis)?;
         let from = self.on_conic(curve, &conic, 1)?;
         let to = self.on_conic(curve, &conic, 2)?;
-        Ok(conic.from_to(from, to, is_forward))
+        Ok(conic.arc_between(from, to, is_forward))
     }
 
     /// A spline between two parameters; its ends are hardly ever given as points.

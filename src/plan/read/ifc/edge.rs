@@ -64,7 +64,7 @@ impl Geometry<'_> {
             "IFCLINE" => Ok(vec![from, to]),
             "IFCCIRCLE" | "IFCELLIPSE" => {
                 let conic = self.conic(&curve)?;
-                Ok(conic.from_to(conic.angle_of(from), conic.angle_of(to), true))
+                Ok(conic.arc_between(conic.angle_of(from), conic.angle_of(to), true))
             }
             "IFCSURFACECURVE" | "IFCSEAMCURVE" | "IFCINTERSECTIONCURVE" => {
                 self.between(curve.reference(0)?, from, to, depth + 1)
