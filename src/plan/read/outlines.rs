@@ -26,7 +26,7 @@ pub(super) const FORMAT: ForeignFormat = ForeignFormat {
     read: |path, options| {
         let planned = read_and_plan(path, options)?;
         let drafted = |building: PlannedBuilding| DraftedBuilding {
-            is_settled: false,
+            is_settled: true,
             id: building.id,
             draft: building.draft,
             placement: building.placement,
