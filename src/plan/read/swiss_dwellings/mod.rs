@@ -6,7 +6,7 @@
 //! and floors become levels as there (`archilyse/`).
 //!
 //! The table of the data set has 3.3 million rows in no order. It is read once from beginning to end; rows of floors that are not
-//! chosen (`--only`) are passed over, and of those that are, elements are kept, up to [a limit](gather).
+//! chosen (`--only`) are passed over, and of those that are, elements are kept, up to [a limit](mod@gather).
 //!
 //! Sources of the columns: the description of the data set (Standfest et al., Swiss Dwellings 3.0.0, Zenodo 7788422), and programs
 //! that read it: github.com/caspervanengelenburg/msd (columns, all subtypes, and those of MSD with `geom`, `zoning`, `roomtype`).
