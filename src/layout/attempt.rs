@@ -143,7 +143,7 @@ impl<T> Attempt<T> {
         let mut environment = Environment::new(brief, &start);
         // No two attempts share a number: an alternative has ATTEMPTS_IN_NEED at most.
         let key = brief.key.attempt(alternative * ATTEMPTS_IN_NEED + number);
-        let closed_ways = act_all(&mut environment, &key);
+        let closed_ways = act_all(&mut environment, &key, number == 0);
         let furnished = result::furnished(&environment);
         let stand_ins = StandIns::of(&environment);
         Self {
@@ -181,7 +181,7 @@ impl<T> Attempt<T> {
 
 /// The steps of section 4: actions until all agents rest or are removed, then the style's untidiness; after that,
 /// ways are cleared and rugs laid. Returns how many ways stay closed.
-fn act_all(environment: &mut Environment<'_>, key: &RoomKey) -> usize {
+fn act_all(environment: &mut Environment<'_>, key: &RoomKey, is_first: bool) -> usize {
     let style = environment.brief.style;
     locked::settle_locked(environment);
     fitted::settle_fitted(environment, key);
@@ -194,7 +194,7 @@ fn act_all(environment: &mut Environment<'_>, key: &RoomKey) -> usize {
     useless::give_back(environment, key);
     // Who is sent away from here on searches among all that rest.
     let lacks_turn = style.access == Access::Wheelchair && turning::lacks_turn(environment, key);
-    let closed_ways = ways::clear_ways(environment, key);
+    let closed_ways = ways::clear_ways(environment, key, is_first);
     // Who was sent away may have been on something that is there for it alone.
     useless::give_back(environment, key);
     // Rugs last: they are in nobody's way, so that the rest of the room is the same without them.

@@ -21,11 +21,14 @@ use super::suggested::follows_suggestion;
 
 /// Clears the ways that resting agents close, and keeps them free from then on. Returns how many stay closed, or do not
 /// only because pieces were left out.
-pub(crate) fn clear_ways(environment: &mut Environment<'_>, key: &RoomKey) -> usize {
+///
+/// For a way past a leaf, pieces that the room cannot do without go in the first attempt alone: should one find no other place, further
+/// attempts follow, in which they stay.
+pub(crate) fn clear_ways(environment: &mut Environment<'_>, key: &RoomKey, is_first_attempt: bool) -> usize {
     let mut kept = BTreeSet::new();
     for _ in 0..WAY_ROUNDS {
         let ways = all_closed_ways(environment);
-        let in_the_way = who_goes(environment, &ways);
+        let in_the_way = who_goes(environment, &ways, is_first_attempt);
         if in_the_way.is_empty() {
             return count_musts(&ways);
         }
@@ -77,7 +80,7 @@ fn leave_out(environment: &mut Environment<'_>, closed_ways: &[ClosedWay], key: 
 
 /// The agents that should leave the ways, without those that the room cannot do without.
 fn who_can_be_missed(environment: &Environment<'_>, ways: &[ClosedWay]) -> Vec<AgentIndex> {
-    let mut going = who_goes(environment, ways.iter().filter(|closed| !closed.is_past_leaf));
+    let mut going = who_goes(environment, ways.iter().filter(|closed| !closed.is_past_leaf), false);
     going.retain(|&agent| !environment.has_required(agent));
     going
 }
@@ -154,6 +157,7 @@ fn closed_ways(
 fn who_goes<'w>(
     environment: &Environment<'_>,
     ways: impl IntoIterator<Item = &'w ClosedWay>,
+    moves_required: bool,
 ) -> Vec<AgentIndex> {
     let mut going: BTreeSet<AgentIndex> = BTreeSet::new();
     let places =
@@ -161,8 +165,8 @@ fn who_goes<'w>(
     for (ClosedWay { way, owner, is_past_leaf }, place) in places {
         let mut near = who_is_near(environment, place, way.width / 2.0 - CONTACT_TOLERANCE);
         near.retain(|&agent, _| !is_locked(environment, agent));
-        if *is_past_leaf || way.width > environment.brief.catalog.audit.walking.person {
-            // A wide way is a wish, and one past a leaf is: nobody goes for it whom the room cannot do without.
+        if (*is_past_leaf && !moves_required) || way.width > environment.brief.catalog.audit.walking.person {
+            // A wide way is a wish: nobody goes for it whom the room cannot do without.
             near.retain(|&agent, _| !environment.has_required(agent));
         }
         if near.keys().any(|agent| going.contains(agent)) {
