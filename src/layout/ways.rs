@@ -123,11 +123,11 @@ fn all_closed_ways(environment: &Environment<'_>) -> Vec<ClosedWay> {
 fn closed_ways_past_leaves(environment: &Environment<'_>, shut: &Floor) -> Vec<ClosedWay> {
     let rules = &environment.brief.catalog.audit.walking;
     let Some(leaves) = environment.brief.empty_floors.open_leaves() else { return Vec::new() };
-    if !environment.solids().any(|solid| leaves.are_near(rules, solid)) {
+    if !environment.solids().any(|solid| leaves.are_near(solid)) {
         return Vec::new();
     }
     let rules = WalkingRules { narrow_person: rules.person, ..*rules };
-    let ways = closed_ways(environment, &rules, [&leaves.opened(shut, &rules), leaves.floor()]);
+    let ways = closed_ways(environment, &rules, [&leaves.opened(shut), leaves.floor()]);
     ways.into_iter().map(|closed| ClosedWay { is_past_leaf: true, ..closed }).collect()
 }
 

@@ -34,12 +34,16 @@ impl<'a> EmptyFloors<'a> {
 
     /// The floor for people; `None` where no door leads in.
     pub(crate) fn walking(&self) -> Option<&Floor> {
-        self.walking.get_or_init(|| Floor::empty(self.at, &self.rules.walking)).as_deref()
+        self.shared_walking().map(Rc::as_ref)
+    }
+
+    fn shared_walking(&self) -> Option<&Rc<Floor>> {
+        self.walking.get_or_init(|| Floor::empty(self.at, &self.rules.walking)).as_ref()
     }
 
     /// The floor for people while doors stand open; `None` where no door has a leaf that opens into the room.
     pub(crate) fn open_leaves(&self) -> Option<&OpenLeaves> {
-        let make = || OpenLeaves::new(self.at, self.walking()?, &self.rules.walking);
+        let make = || OpenLeaves::new(self.at, Rc::clone(self.shared_walking()?), &self.rules.walking);
         self.open_leaves.get_or_init(make).as_ref()
     }
 

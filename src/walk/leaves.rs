@@ -1,6 +1,9 @@
 //! Leaves of doors that stand open in a room. Somebody can shut them, so that ways past them are a wish, not a must; but files hold
 //! them open, and whoever walks through a scene, or steers a robot through it, meets them there.
 
+use core::cell::OnceCell;
+use std::rc::Rc;
+
 use crate::catalog::WalkingRules;
 use crate::geometry::{Convex, Point, Solid, distance_of_convex};
 use crate::plan::{LEAF_DEPTH, Leaf, OpeningKind, RoomRef};
@@ -8,16 +11,20 @@ use crate::plan::{LEAF_DEPTH, Leaf, OpeningKind, RoomRef};
 use super::floor::{Floor, is_in_the_way};
 use super::raster::CELL;
 
-/// The floor of an empty room whose doors stand open.
+/// The leaves that stand open in an empty room.
 #[derive(Debug)]
 pub(crate) struct OpenLeaves {
-    floor: Floor,
+    rules: WalkingRules,
     leaves: Vec<Solid>,
+    /// The floor of the empty room on which doors are shut.
+    shut: Rc<Floor>,
+    /// The one on which they are open: most rooms have no furniture so near to a leaf that it is asked for.
+    open: OnceCell<Floor>,
 }
 
 impl OpenLeaves {
     /// Those of a room with the floor on which its doors are shut; `None` where no leaf opens into it.
-    pub(super) fn new(at: RoomRef<'_>, shut: &Floor, rules: &WalkingRules) -> Option<Self> {
+    pub(super) fn new(at: RoomRef<'_>, shut: Rc<Floor>, rules: &WalkingRules) -> Option<Self> {
         let doors = at
             .room
             .openings
@@ -29,26 +36,26 @@ impl OpenLeaves {
             here.filter_map(|leaf| Some(Solid::new(body(leaf)?, 0.0, opening.top)))
         });
         let leaves: Vec<Solid> = leaves.filter(|leaf| is_in_the_way(rules, leaf)).collect();
-        (!leaves.is_empty()).then(|| Self { floor: shut.with(rules, leaves.iter()), leaves })
+        (!leaves.is_empty()).then(|| Self { rules: *rules, leaves, shut, open: OnceCell::new() })
     }
 
     /// A floor of the room with its doors open.
-    pub(crate) fn opened(&self, shut: &Floor, rules: &WalkingRules) -> Floor {
-        shut.with(rules, self.leaves.iter())
+    pub(crate) fn opened(&self, shut: &Floor) -> Floor {
+        shut.with(&self.rules, self.leaves.iter())
     }
 
     /// The floor of the empty room.
     pub(crate) fn floor(&self) -> &Floor {
-        &self.floor
+        self.open.get_or_init(|| self.opened(&self.shut))
     }
 
     /// Whether a solid may close a way together with a leaf: whether it stands nearer to one than a person is wide.
-    pub(crate) fn are_near(&self, rules: &WalkingRules, solid: &Solid) -> bool {
+    pub(crate) fn are_near(&self, solid: &Solid) -> bool {
         let is_near = |leaf: &Solid| {
-            solid.bounds.gap(leaf.bounds) < rules.person
-                && distance_of_convex(solid.footprint(), leaf.footprint()) < rules.person
+            solid.bounds.gap(leaf.bounds) < self.rules.person
+                && distance_of_convex(solid.footprint(), leaf.footprint()) < self.rules.person
         };
-        is_in_the_way(rules, solid) && self.leaves.iter().any(is_near)
+        is_in_the_way(&self.rules, solid) && self.leaves.iter().any(is_near)
     }
 }
 

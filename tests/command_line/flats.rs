@@ -17,17 +17,13 @@ fn world() -> World {
     world
 }
 
-fn levels(world: &World, folder: &str) -> Vec<(String, Vec<u8>)> {
-    world.contents(folder).into_iter().filter(|(name, _)| name.ends_with(".glb")).collect()
-}
-
 #[test]
 fn imported_flats_bake_to_the_bytes_of_their_files() {
     let world = world();
     world.must(&["import", "flats", "--out", "plans"]);
     world.must(&["bake", "flats", "--out", "direct", "--effort", "1"]);
     world.must(&["bake", "plans", "--out", "native", "--effort", "1"]);
-    let [direct, native] = ["direct", "native"].map(|folder| levels(&world, folder));
+    let [direct, native] = ["direct", "native"].map(|folder| world.levels(folder));
     assert_eq!(direct.len(), 4, "three floors of the table and the flat");
     assert!(direct == native, "the same names and bytes");
 }

@@ -16,17 +16,13 @@ fn world() -> World {
     world
 }
 
-fn levels(world: &World, folder: &str) -> Vec<(String, Vec<u8>)> {
-    world.contents(folder).into_iter().filter(|(name, _)| name.ends_with(".glb")).collect()
-}
-
 #[test]
 fn an_imported_model_bakes_to_the_bytes_of_the_model() {
     let world = world();
     world.must(&["import", "models", "--out", "plans"]);
     world.must(&["bake", "models", "--out", "direct", "--effort", "1"]);
     world.must(&["bake", "plans", "--out", "native", "--effort", "1"]);
-    let [direct, native] = ["direct", "native"].map(|folder| levels(&world, folder));
+    let [direct, native] = ["direct", "native"].map(|folder| world.levels(folder));
     assert_eq!(direct.len(), 4);
     let is_equal = direct.iter().zip(&native).all(|(one, other)| one == other);
     assert!(is_equal && native.len() == direct.len());

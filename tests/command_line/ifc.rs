@@ -7,10 +7,6 @@ use super::world::World;
 /// All cases of the format, with the levels that each has.
 const CASES: [(&str, usize); 5] = [("villa", 2), ("rotunda", 1), ("attic", 1), ("pavilion", 2), ("shell", 1)];
 
-fn levels(world: &World, folder: &str) -> Vec<(String, Vec<u8>)> {
-    world.contents(folder).into_iter().filter(|(name, _)| name.ends_with(".glb")).collect()
-}
-
 #[test]
 fn an_imported_file_bakes_to_the_bytes_of_the_file() {
     let world = World::new();
@@ -30,7 +26,7 @@ fn an_imported_file_bakes_to_the_bytes_of_the_file() {
         let expected = i32::from(from == "models");
         assert_eq!(world.run(&arguments).code, Some(expected), "{command} {from}");
     }
-    let [direct, native] = ["direct", "native"].map(|folder| levels(&world, folder));
+    let [direct, native] = ["direct", "native"].map(|folder| world.levels(folder));
     assert_eq!(direct.len(), CASES.iter().map(|(_, levels)| levels).sum::<usize>());
     assert_eq!(native.len(), direct.len());
     for (one, other) in direct.iter().zip(&native) {

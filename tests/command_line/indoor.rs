@@ -21,10 +21,6 @@ fn world(map: &str) -> World {
     world
 }
 
-fn levels(world: &World, folder: &str) -> Vec<(String, Vec<u8>)> {
-    world.contents(folder).into_iter().filter(|(name, _)| name.ends_with(".glb")).collect()
-}
-
 /// The sources that the manifest of a folder names.
 fn attributions(world: &World, folder: &str) -> Vec<serde_json::Value> {
     let contents = world.contents(folder);
@@ -40,7 +36,7 @@ fn imported_indoor_maps_bake_to_the_bytes_of_the_maps() {
         world.run(&["import", "map", "--out", "plans"]);
         world.run(&["bake", "map", "--out", "direct", "--effort", "1"]);
         world.run(&["bake", "plans", "--out", "native", "--effort", "1"]);
-        let [direct, native] = ["direct", "native"].map(|folder| levels(&world, folder));
+        let [direct, native] = ["direct", "native"].map(|folder| world.levels(folder));
         assert_eq!(direct.len(), level_count, "{map}");
         assert!(direct == native, "{map}: the levels differ");
         let [direct, native] = ["direct", "native"].map(|folder| attributions(&world, folder));
@@ -63,7 +59,7 @@ fn files_and_tiles_name_the_source_where_viewers_look_for_it() {
     let named = attributions(&world, "out");
     assert_eq!(named.len(), 1);
     for folder in ["out", "tiles", "of_bake"] {
-        let levels = levels(&world, folder);
+        let levels = world.levels(folder);
         assert!(levels.len() > 1);
         for (name, bytes) in levels {
             assert_eq!(document(&bytes)["asset"]["copyright"], named[0], "{folder}/{name}");
@@ -81,7 +77,7 @@ fn one_map_bakes_to_the_same_bytes_in_each_encoding() {
     let [xml, geojson] = [XML, GEOJSON].map(|map| {
         let world = world(map);
         world.run(&["bake", "map", "--out", "out", "--effort", "1"]);
-        levels(&world, "out")
+        world.levels("out")
     });
     assert!(!xml.is_empty() && xml == geojson);
 }

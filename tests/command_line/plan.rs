@@ -30,11 +30,8 @@ fn a_bake_of_the_plans_furnishes_as_one_of_the_map() {
     };
     assert_eq!(furniture("one").len(), 2);
     assert_eq!(furniture("one"), furniture("two"));
-    let levels = |out: &str| -> Vec<Vec<u8>> {
-        let files = world.contents(out).into_iter();
-        files.filter(|(name, _)| name.ends_with(".glb")).map(|(_, bytes)| bytes).collect()
-    };
-    assert!(levels("one").len() == 2 && levels("one") == levels("two"));
+    let [one, two] = ["one", "two"].map(|out| world.levels(out));
+    assert!(one.len() == 2 && one == two);
 }
 
 #[test]

@@ -21,17 +21,13 @@ fn world(names: &[&str]) -> World {
     world
 }
 
-fn levels(world: &World, folder: &str) -> Vec<(String, Vec<u8>)> {
-    world.contents(folder).into_iter().filter(|(name, _)| name.ends_with(".glb")).collect()
-}
-
 #[test]
 fn an_imported_home_bakes_to_the_bytes_of_the_home() {
     let world = world(&HOMES);
     world.must(&["import", "homes", "--out", "plans"]);
     world.must(&["bake", "homes", "--out", "direct", "--effort", "1"]);
     world.must(&["bake", "plans", "--out", "native", "--effort", "1"]);
-    let [direct, native] = ["direct", "native"].map(|folder| levels(&world, folder));
+    let [direct, native] = ["direct", "native"].map(|folder| world.levels(folder));
     assert_eq!(direct.len(), 9);
     let names = |levels: &[(String, Vec<u8>)]| -> Vec<String> {
         levels.iter().map(|(name, _)| name.clone()).collect()

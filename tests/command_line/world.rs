@@ -99,6 +99,11 @@ impl World {
         files
     }
 
+    /// The binary glTF files below a folder with their content, by name.
+    pub(crate) fn levels(&self, folder: &str) -> Vec<(String, Vec<u8>)> {
+        self.contents(folder).into_iter().filter(|(name, _)| name.ends_with(".glb")).collect()
+    }
+
     /// The names of the files below a folder, without our own corner.
     pub(crate) fn names(&self, folder: &str) -> Vec<String> {
         self.contents(folder).into_keys().filter(|name| !name.starts_with(".roomwright/")).collect()

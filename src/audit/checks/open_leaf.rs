@@ -9,7 +9,6 @@ use crate::audit::fault::Fault;
 use crate::audit::possible::Held;
 use crate::audit::quantity::Quantity;
 use crate::audit::rounding::ROUNDING;
-
 use crate::layout::Parent;
 
 use super::reach::{Target, goals, region, widest};
@@ -23,13 +22,13 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
         let body = &subject.bodies[*index];
         let is_carried = matches!(body.placement.parent, Parent::Object(_));
         let is_floor = body.placement.is_covering();
-        !is_carried && !is_floor && body.solids.iter().any(|solid| leaves.are_near(rules, solid))
+        !is_carried && !is_floor && body.solids.iter().any(|solid| leaves.are_near(solid))
     };
     let beside: Vec<usize> = (0..subject.bodies.len()).filter(is_beside).collect();
     if beside.is_empty() {
         return Vec::new();
     }
-    let open = leaves.opened(shut, rules);
+    let open = leaves.opened(shut);
     let walk = open.walk(rules.person);
     let home = walk.main_door();
     let goals = goals(subject, zones, &open);
@@ -58,8 +57,8 @@ mod tests {
     use crate::geometry::Point;
     use crate::plan::{Leaf, OpeningKind};
 
-    /// A corridor of 6 × 1.6 m with doors at both ends and one in its south wall, whose leaf of 0.9 m stands open into it; a chest 1 m deep
-    /// and `width` metres wide stands opposite, its middle `beside` metres from the leaf.
+    /// A corridor of 6 × 1.6 m with doors at both ends and one in its south wall, whose leaf of 0.9 m may stand open into
+    /// it; a chest 1 m wide and `depth` metres deep stands at the north wall, its middle `beside` metres from the leaf.
     fn corridor(has_leaf: bool, beside: f64, depth: f64) -> TestRoom {
         let mut room = TestRoom::rectangle(6.0, 1.6);
         room.open(1, OpeningKind::Door, (0.3, 1.2), (0.0, 2.0));

@@ -8,6 +8,9 @@ use crate::disk::open_regular;
 use crate::document::{Faults, suggest};
 use crate::plan::GENERIC_ROOM_TYPE;
 
+/// Metres of the widest door with one leaf, where a format has no word for sliding doors: wider ones slide, as those of balconies.
+pub(super) const WIDEST_LEAF: f64 = 1.6;
+
 /// Unknown room words that are reported one by one.
 const TOLD_WORDS: usize = 20;
 

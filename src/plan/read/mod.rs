@@ -32,6 +32,7 @@ mod solids;
 mod straight;
 mod sweet_home;
 mod swiss_dwellings;
+mod told;
 mod unread;
 mod walled;
 

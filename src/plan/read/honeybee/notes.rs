@@ -5,9 +5,7 @@ use std::collections::BTreeMap;
 use super::model::Place;
 use crate::document::{FaultSeverity, Faults, Source, counted};
 use crate::plan::read::foreign::unknown_words;
-
-/// Faults that are reported one by one.
-const MOST_FAULTS: usize = 200;
+use crate::plan::read::told::ToldFaults;
 
 /// Something that is said once for all parts of a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -89,16 +87,14 @@ pub(super) const APART: Topic = Topic {
 /// The faults so far.
 pub(super) struct Notes {
     source: Source,
-    faults: Faults,
-    /// How many more there are.
-    untold: usize,
+    faults: ToldFaults,
     /// Topic → its first place, and how often.
     topics: BTreeMap<Topic, (Place, usize)>,
 }
 
 impl Notes {
     pub(super) fn new(source: Source) -> Self {
-        Self { source, faults: Faults::default(), untold: 0, topics: BTreeMap::new() }
+        Self { source, faults: ToldFaults::default(), topics: BTreeMap::new() }
     }
 
     /// A part that is left out.
@@ -112,12 +108,8 @@ impl Notes {
     }
 
     fn push(&mut self, place: &Place, message: String, hint: &str, severity: FaultSeverity) {
-        if self.faults.0.len() >= MOST_FAULTS {
-            self.untold += 1;
-            return;
-        }
         let hint = (!hint.is_empty()).then(|| hint.to_owned());
-        self.faults.push(self.source.fault(place, message, hint, severity));
+        self.faults.push(|| self.source.fault(place, message, hint, severity));
     }
 
     /// One more part of which a topic is true.
@@ -142,13 +134,8 @@ impl Notes {
         for (Topic { what, fact, hint }, (place, count)) in std::mem::take(&mut self.topics) {
             let message = format!("{} {fact}", counted(count, what));
             let fault = self.source.fault(&place, message, Some(hint.to_owned()), FaultSeverity::Warning);
-            self.faults.push(fault);
+            self.faults.push_always(fault);
         }
-        if self.untold > 0 {
-            let message = format!("{} more faults of this file are not listed", self.untold);
-            let fault = self.source.fault_at(None, message).with_hint("mend the first ones").as_warning();
-            self.faults.push(fault);
-        }
-        self.faults
+        self.faults.finish(|message| self.source.fault_at(None, message))
     }
 }

@@ -13,7 +13,7 @@ use crate::geometry::Point;
 use crate::plan::clean::{ring_surface, to_points};
 use crate::plan::limits::{COORDINATE, LEVEL_OPENINGS, LEVEL_ROOMS, OUTLINE_CORNERS};
 use crate::plan::read::archilyse::areas::Outline;
-use crate::plan::read::foreign::TypeOfWord;
+use crate::plan::read::foreign::{TypeOfWord, WIDEST_LEAF};
 use crate::plan::read::native::number_of_id;
 use crate::plan::read::oriented::Oriented;
 use crate::plan::read::solids::solid_pieces;
@@ -30,8 +30,6 @@ const INTERIOR_THICKNESS: f64 = 0.12;
 /// Metres of sill and head of windows, and of the head of doors.
 const WINDOW: (f64, f64) = (0.9, 2.1);
 const DOOR_HEAD: f64 = 2.0;
-/// Metres of the widest door with one leaf: wider ones slide.
-const WIDEST_LEAF: f64 = 1.6;
 /// Half of the metres of strips that are no part of a room: where the data set cut kitchens out of living areas, frames of up to
 /// 0.15 m stay around them.
 const HALF_STRIP: f64 = 0.1;

@@ -1,11 +1,10 @@
 //! Collects the faults of a file at their places in its text.
 
 use crate::document::{FaultSeverity, Faults, PathStep, Source};
+use crate::plan::read::told::ToldFaults;
 
 /// The format's word in `room_words.yaml`.
 pub(super) const NAME: &str = "resplan";
-/// Faults that are reported one by one.
-const MOST_FAULTS: usize = 200;
 
 /// A place in the document.
 pub(super) type Place = Vec<PathStep>;
@@ -13,13 +12,12 @@ pub(super) type Place = Vec<PathStep>;
 /// The faults so far.
 pub(super) struct Notes {
     source: Source,
-    faults: Faults,
-    untold: usize,
+    faults: ToldFaults,
 }
 
 impl Notes {
     pub(super) fn new(source: Source) -> Self {
-        Self { source, faults: Faults::default(), untold: 0 }
+        Self { source, faults: ToldFaults::default() }
     }
 
     /// A part that is left out.
@@ -33,20 +31,11 @@ impl Notes {
     }
 
     fn push(&mut self, place: &Place, message: String, hint: &str, severity: FaultSeverity) {
-        if self.faults.0.len() < MOST_FAULTS {
-            self.faults.push(self.source.fault(place, message, Some(hint.to_owned()), severity));
-        } else {
-            self.untold += 1;
-        }
+        self.faults.push(|| self.source.fault(place, message, Some(hint.to_owned()), severity));
     }
 
-    pub(super) fn finish(mut self) -> Faults {
-        if self.untold > 0 {
-            let message = format!("{} more faults of this file are not listed", self.untold);
-            self.faults
-                .push(self.source.fault_at(None, message).with_hint("mend the first ones").as_warning());
-        }
-        self.faults
+    pub(super) fn finish(self) -> Faults {
+        self.faults.finish(|message| self.source.fault_at(None, message))
     }
 }
 

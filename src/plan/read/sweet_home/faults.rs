@@ -4,24 +4,20 @@ use std::collections::BTreeMap;
 
 use crate::document::{Faults, Source};
 use crate::plan::read::foreign::unknown_words;
-
-/// Faults that are reported one by one; a text of which each element is damaged would fill the screen.
-const MOST_FAULTS: usize = 200;
+use crate::plan::read::told::ToldFaults;
 
 /// The faults so far.
 pub(super) struct Notes {
     source: Source,
     /// The byte at which each line but the first begins.
     lines: Vec<usize>,
-    faults: Faults,
-    /// How many more there are.
-    untold: usize,
+    faults: ToldFaults,
 }
 
 impl Notes {
     pub(super) fn new(source: Source) -> Self {
         let lines = memchr::memchr_iter(b'\n', source.text().as_bytes()).map(|at| at + 1).collect();
-        Self { source, lines, faults: Faults::default(), untold: 0 }
+        Self { source, lines, faults: ToldFaults::default() }
     }
 
     pub(super) fn text(&self) -> &str {
@@ -39,24 +35,11 @@ impl Notes {
     }
 
     fn push(&mut self, place: usize, message: String, hint: &str, is_warning: bool) {
-        if self.faults.0.len() >= MOST_FAULTS {
-            self.untold += 1;
-            return;
-        }
-        let fault = self.source.fault_at(Some(self.position(place)), message).with_hint(hint);
-        self.faults.push(if is_warning { fault.as_warning() } else { fault });
-    }
-
-    /// Line and column of a byte, counted from 1.
-    fn position(&self, place: usize) -> (usize, usize) {
-        let text = self.source.text();
-        let mut place = place.min(text.len());
-        while !text.is_char_boundary(place) {
-            place -= 1;
-        }
-        let line = self.lines.partition_point(|start| *start <= place);
-        let start = if line == 0 { 0 } else { self.lines[line - 1] };
-        (line + 1, text[start..place].chars().count() + 1)
+        let Self { source, lines, faults } = self;
+        faults.push(|| {
+            let fault = source.fault_at(Some(position(source.text(), lines, place)), message).with_hint(hint);
+            if is_warning { fault.as_warning() } else { fault }
+        });
     }
 
     /// Warnings for words that the table of a format lacks.
@@ -66,12 +49,18 @@ impl Notes {
         }
     }
 
-    pub(super) fn finish(mut self) -> Faults {
-        if self.untold > 0 {
-            let message = format!("{} more faults of this file are not listed", self.untold);
-            self.faults
-                .push(self.source.fault_at(None, message).with_hint("mend the first ones").as_warning());
-        }
-        self.faults
+    pub(super) fn finish(self) -> Faults {
+        self.faults.finish(|message| self.source.fault_at(None, message))
     }
+}
+
+/// Line and column of a byte of a text, counted from 1; `lines` are the bytes at which each line but the first begins.
+fn position(text: &str, lines: &[usize], place: usize) -> (usize, usize) {
+    let mut place = place.min(text.len());
+    while !text.is_char_boundary(place) {
+        place -= 1;
+    }
+    let line = lines.partition_point(|start| *start <= place);
+    let start = if line == 0 { 0 } else { lines[line - 1] };
+    (line + 1, text[start..place].chars().count() + 1)
 }

@@ -6,46 +6,40 @@ use std::path::{Path, PathBuf};
 use super::columns::{Column, name};
 use crate::document::{Fault, Faults};
 use crate::plan::read::foreign::unknown_words;
-
-/// Faults that are reported one by one.
-const MOST_FAULTS: usize = 200;
+use crate::plan::read::told::ToldFaults;
 
 /// The faults so far.
 pub(super) struct Notes {
     path: PathBuf,
-    faults: Faults,
-    /// How many more there are.
-    untold: usize,
+    faults: ToldFaults,
     /// Word for a kind of element that is not known → the line of the first, and how many.
     unknown_kinds: BTreeMap<String, (usize, usize)>,
 }
 
 impl Notes {
     pub(super) fn new(path: &Path) -> Self {
-        Self { path: path.to_owned(), faults: Faults::default(), untold: 0, unknown_kinds: BTreeMap::new() }
+        Self { path: path.to_owned(), faults: ToldFaults::default(), unknown_kinds: BTreeMap::new() }
     }
 
     /// A row that is left out, for what stands in a column.
     pub(super) fn error(&mut self, line: usize, column: Column, message: &str, hint: &str) {
-        let fault = self.at(line, message).with_hint(hint);
-        self.push(Fault { path: vec![name(column).into()], ..fault });
+        let fault = || at(&self.path, line, message).with_hint(hint);
+        self.faults.push(|| Fault { path: vec![name(column).into()], ..fault() });
     }
 
     /// A row that is left out as a whole.
     pub(super) fn error_of_row(&mut self, line: usize, message: &str, hint: &str) {
-        let fault = self.at(line, message).with_hint(hint);
-        self.push(fault);
+        self.faults.push(|| at(&self.path, line, message).with_hint(hint));
     }
 
     /// Something that is read otherwise than it is drawn.
     pub(super) fn warn(&mut self, line: usize, message: &str, hint: &str) {
-        let fault = self.at(line, message).with_hint(hint).as_warning();
-        self.push(fault);
+        self.faults.push(|| at(&self.path, line, message).with_hint(hint).as_warning());
     }
 
     /// What ends the reading.
     pub(super) fn fatal(&mut self, fault: Fault) {
-        self.faults.push(fault);
+        self.faults.push_always(fault);
     }
 
     /// One more element of a kind that is not known.
@@ -60,18 +54,6 @@ impl Notes {
         }
     }
 
-    fn at(&self, line: usize, message: &str) -> Fault {
-        Fault { position: Some((line, 1)), ..Fault::of_file(&self.path, message) }
-    }
-
-    fn push(&mut self, fault: Fault) {
-        if self.faults.0.len() < MOST_FAULTS {
-            self.faults.push(fault);
-        } else {
-            self.untold += 1;
-        }
-    }
-
     pub(super) fn finish(mut self) -> Faults {
         for (word, (line, count)) in std::mem::take(&mut self.unknown_kinds) {
             let message = format!("unknown kind of element \"{word}\", left out: {count} of them");
@@ -81,11 +63,10 @@ impl Notes {
                 "known are area, separator, opening and feature, with the data set's subtypes",
             );
         }
-        if self.untold > 0 {
-            let message = format!("{} more faults of this file are not listed", self.untold);
-            self.faults
-                .push(Fault::of_file(&self.path, message).with_hint("mend the first ones").as_warning());
-        }
-        self.faults
+        self.faults.finish(|message| Fault::of_file(&self.path, message))
     }
+}
+
+fn at(path: &Path, line: usize, message: &str) -> Fault {
+    Fault { position: Some((line, 1)), ..Fault::of_file(path, message) }
 }

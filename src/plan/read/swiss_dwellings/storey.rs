@@ -12,14 +12,13 @@ use crate::plan::read::archilyse::drawing::{
     Drawing, Hole, HoleHeights, HoleProperties, Item, ItemProperties, Layer, Line, Measure, Rings,
 };
 use crate::plan::read::archilyse::level::{Floor, Heights, Naming, level};
+use crate::plan::read::foreign::WIDEST_LEAF;
 use crate::plan::read::native::number_of_id;
 use crate::plan::read::oriented::Oriented;
 use crate::plan::read::solids::solid_pieces;
 use crate::plan::units::CENTIMETRE;
 use crate::plan::{LevelDraft, RoomDraft};
 
-/// Metres of the widest door with one leaf. The data set has no word for sliding doors; those of balconies are wider.
-const WIDEST_LEAF: f64 = 1.6;
 /// Metres of a sill below which a window's elevation is that of its floor.
 const LEAST_SILL: f64 = 0.05;
 /// Metres of the lowest window that stands on the floor.
