@@ -59,6 +59,9 @@ pub struct Class {
     pub sizes: Vec<Size>,
     /// How many of them, from the first, a room asks for; the others are taken where none of these has a place.
     pub usual_sizes: usize,
+    /// How many of them, from the last, only fill niches: a piece that is placed with others ([`Class::is_joint`]) takes one where it
+    /// reaches from a corner to what closes its other side.
+    pub niche_sizes: usize,
     /// How many looks of each size the model recipe makes; at least one.
     pub looks: u32,
     /// How much pieces that are furnished together differ.
@@ -116,6 +119,7 @@ impl Class {
             label: id.to_owned(),
             groups: Vec::new(),
             usual_sizes: sizes.len(),
+            niche_sizes: 0,
             sizes,
             looks: 1,
             variety: Variety::None,
@@ -172,6 +176,13 @@ impl Class {
     #[must_use]
     pub fn usual_variant_count(&self) -> u32 {
         u32::try_from(self.usual_sizes).expect("a class lists a handful of sizes") * self.looks
+    }
+
+    /// Number of variants that a piece may have anywhere: all but those that only fill niches.
+    #[must_use]
+    pub fn common_variant_count(&self) -> u32 {
+        u32::try_from(self.sizes.len() - self.niche_sizes).expect("a class lists a handful of sizes")
+            * self.looks
     }
 
     /// The size of a variant; variant = index of the size × looks + look.
@@ -369,6 +380,8 @@ pub struct WallWishes {
     pub with: Vec<(Vec<ClassIndex>, f64)>,
     /// Points for each metre that the wall is long, up to 4 m.
     pub metre: f64,
+    /// Points where its left or right side is closed, by another wall or by what stands there.
+    pub corner: f64,
 }
 
 /// A regular layout on a side (section 3.3).

@@ -174,7 +174,7 @@ fn search_in_sizes(
     Ok(found)
 }
 
-/// The variants of an agent's class in the look that was drawn, those of greatest extent first.
+/// The variants of an agent's class in the look that was drawn, those of greatest extent first, without those for niches.
 pub(crate) fn sizes_by(
     environment: &Environment<'_>,
     agent: AgentIndex,
@@ -182,7 +182,7 @@ pub(crate) fn sizes_by(
 ) -> Vec<u32> {
     let (class, piece) = (environment.class(agent), environment.agents[agent].piece);
     let has_look = |variant: &u32| variant % class.looks == piece.variant % class.looks;
-    let mut variants: Vec<u32> = (0..class.variant_count()).filter(has_look).collect();
+    let mut variants: Vec<u32> = (0..class.common_variant_count()).filter(has_look).collect();
     // Stable: of equal extents the lower variant comes first.
     variants.sort_by(|&a, &b| extent(class.size(b)).total_cmp(&extent(class.size(a))));
     variants

@@ -3,7 +3,7 @@
 //! Not in the paper. They are laid when all others rest and are in nobody's way, so that a room is the same with and
 //! without them.
 
-use crate::catalog::{Access, Class, Clearance, Side, Size};
+use crate::catalog::{Access, Class, ClassIndex, Clearance, Side, Size};
 use crate::geometry::{Point, Solid};
 
 use super::agent::{Rest, State};
@@ -51,6 +51,7 @@ fn free_place(environment: &Environment<'_>, agent: AgentIndex) -> Option<(u32, 
     }
     let class = environment.class(agent);
     let sizes = sizes_by(environment, agent, area);
+    let theirs = others_covered(environment, class);
     let anchors = class.covers.iter().flat_map(|&class| &environment.resting[class]);
     // The first piece with room for a rug, in the order of the class's list, then of coming to rest.
     anchors.into_iter().find_map(|&anchor| {
@@ -61,10 +62,21 @@ fn free_place(environment: &Environment<'_>, agent: AgentIndex) -> Option<(u32, 
         let best = |rank: usize| sizes[if under.has_chairs { count - 1 - rank } else { rank }];
         (0..count).map(best).find_map(|variant| {
             let size = class.size(variant);
-            let pose = poses(rest, under, size).find(|pose| is_free(environment, &box_solid(size, pose)))?;
+            let pose = poses(rest, under, size)
+                .find(|pose| is_free(environment, &box_solid(size, pose), &theirs))?;
             Some((variant, Place { pose, parent: ParentPart::Floor, side: Side::Above }))
         })
     })
+}
+
+/// The classes that other rugs lie under and this one does not: half a rug under a dining table is under the wrong one.
+fn others_covered(environment: &Environment<'_>, class: &Class) -> Vec<ClassIndex> {
+    let others = environment.brief.catalog.classes.iter().filter(|other| other.id != class.id);
+    others
+        .flat_map(|other| &other.covers)
+        .copied()
+        .filter(|covered| !class.covers.contains(covered))
+        .collect()
 }
 
 /// The piece that a rug lies under.
@@ -101,11 +113,17 @@ fn poses(rest: &Rest, under: Under, size: Size) -> impl Iterator<Item = Pose> {
     // Of a bed the rug reaches FOOT beyond the foot end and goes under it as far as it is long.
     let before = if holds_whole { 0.0 } else { piece.depth / 2.0 + FOOT - size.depth / 2.0 };
     let middle = rest.pose.position + front * before;
-    // Around a table it lies in the middle: moved, it would leave the chairs of one side.
-    let count = if has_chairs { 1 } else { SHIFTS.len() };
-    let along = SHIFTS.into_iter().take(count);
-    let shifts = along
-        .flat_map(move |along| SHIFTS.into_iter().take(count).map(move |across| Point::new(across, along)));
+    // Around a table it lies in the middle: moved, it would leave the chairs of one side. Under a bed, too, or, where that has a
+    // wall or a cupboard at one side, at the other alone.
+    let aside = (size.width - piece.width) / 2.0;
+    let (across, along) = match (has_chairs, holds_whole) {
+        (true, _) => (vec![0.0], vec![0.0]),
+        (false, true) => (SHIFTS.to_vec(), SHIFTS.to_vec()),
+        (false, false) => (vec![0.0, aside, -aside], SHIFTS.to_vec()),
+    };
+    let shifts = across
+        .into_iter()
+        .flat_map(move |across| along.clone().into_iter().map(move |along| Point::new(across, along)));
     let angle = rest.pose.angle;
     shifts
         .filter(move |_| is_large_enough)
@@ -113,13 +131,13 @@ fn poses(rest: &Rest, under: Under, size: Size) -> impl Iterator<Item = Pose> {
 }
 
 /// Whether a rug can lie there: two never lie on each other.
-fn is_free(environment: &Environment<'_>, whole: &Solid) -> bool {
+fn is_free(environment: &Environment<'_>, whole: &Solid, theirs: &[ClassIndex]) -> bool {
     let is_rug = |agent: &AgentIndex| !environment.class(*agent).covers.is_empty();
     let mut rugs = (0..environment.agents.len()).filter(is_rug).filter_map(|agent| {
         let rest = environment.agents[agent].rest()?;
         Some(box_solid(environment.agents[agent].size, &rest.pose))
     });
-    environment.can_be_covered(whole) && !rugs.any(|rug| rug.overlaps(whole, CONTACT_TOLERANCE))
+    environment.can_be_covered(whole, theirs) && !rugs.any(|rug| rug.overlaps(whole, CONTACT_TOLERANCE))
 }
 
 #[cfg(test)]
@@ -171,6 +189,43 @@ mod tests {
         assert_eq!(best_under(table, large), Some(Point::ZERO));
         assert_eq!(best_under(table, Size { depth: 2.0, ..large }), None);
         assert_eq!(best_under(table, Size { width: 2.9, ..large }), None);
+    }
+
+    #[test]
+    fn under_a_bed_at_a_wall_a_rug_reaches_out_at_the_other_side() {
+        let rest = Rest {
+            pose: Pose::new(Point::ZERO, 0.0, 0.0),
+            parent: ParentPart::Floor,
+            side: Side::Above,
+            extent: 0.0,
+        };
+        let under = Under { size: BED, overhang: Point::splat(OVERHANG), has_chairs: false };
+        let mut decimetres: Vec<f64> =
+            poses(&rest, under, RUG).map(|pose| (pose.position.x * 10.0).round()).collect();
+        decimetres.dedup();
+        assert_eq!(decimetres, [0.0, 4.0, -4.0]);
+    }
+
+    #[test]
+    fn no_rug_of_the_sofa_lies_under_a_piece_of_the_dining_table() {
+        let catalog = load_catalog(&[]).unwrap().value;
+        let mut level = level(WIDE);
+        level.rooms[0].room_type = "living_dining".to_owned();
+        let rug = catalog.class_index("rug").unwrap();
+        let dines = ["dining_table", "large_dining_table", "small_table", "dining_chair"];
+        let dines: Vec<ClassIndex> = dines.iter().filter_map(|id| catalog.class_index(id)).collect();
+        let floor = |placement: &Placement| {
+            box_solid(placement.size, &Pose::new(placement.position, 0.0, placement.angle))
+        };
+        let mut count = 0;
+        for room in (0..20).map(|seed| run(&level, &catalog, seed)) {
+            let at_table = || room.placements.iter().filter(|placement| dines.contains(&placement.class));
+            for laid in room.placements.iter().filter(|placement| placement.class == rug) {
+                count += at_table().count();
+                assert!(!at_table().any(|piece| floor(piece).overlaps(&floor(laid), CONTACT_TOLERANCE)));
+            }
+        }
+        assert!(count > 40, "{count} pieces at tables in rooms with a rug");
     }
 
     fn living_rooms(catalog: &Catalog) -> Vec<Furnished> {

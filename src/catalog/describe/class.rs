@@ -22,7 +22,12 @@ pub(super) fn describe_class(catalog: &Catalog, index: ClassIndex) -> (Lines, Va
     let mut lines = Lines::default();
     lines.add("label", &class.label);
     lines.add("groups", &class.groups.join(", "));
-    let spare = |index: usize| if index < class.usual_sizes { "" } else { ", where no larger one fits" };
+    let in_niches = class.sizes.len() - class.niche_sizes;
+    let spare = |index: usize| match index {
+        _ if index < class.usual_sizes => "",
+        _ if index < in_niches => ", where no larger one fits",
+        _ => ", to fill a niche",
+    };
     let sizes = class.sizes.iter().enumerate();
     lines.add_all("size", sizes.map(|(index, size)| show_size(size) + spare(index)));
     lines.add("looks", &format!("{} of each size, {}", class.looks, class.variety.describe()));
@@ -121,7 +126,8 @@ fn show_walls(catalog: &Catalog, walls: &WallWishes) -> String {
     });
     let tags = walls.tags.iter().map(|(tag, points)| format!("{tag} {:+}", rounded(*points)));
     let metre = (walls.metre != 0.0).then(|| format!("each metre {:+}", rounded(walls.metre)));
-    tags.chain(with).chain(metre).collect::<Vec<_>>().join(", ")
+    let corner = (walls.corner != 0.0).then(|| format!("in a corner {:+}", rounded(walls.corner)));
+    tags.chain(with).chain(metre).chain(corner).collect::<Vec<_>>().join(", ")
 }
 
 fn show_relation(catalog: &Catalog, relation: &Relation) -> String {
@@ -166,7 +172,8 @@ fn list_room_types(catalog: &Catalog, class: ClassIndex) -> Vec<&str> {
 
 fn value_of(catalog: &Catalog, class: &Class, children: &[ClassIndex], room_types: &[&str]) -> Value {
     let all: Vec<[f64; 3]> = class.sizes.iter().map(|size| [size.width, size.depth, size.height]).collect();
-    let (sizes, spare_sizes) = all.split_at(class.usual_sizes);
+    let (common, niche_sizes) = all.split_at(all.len() - class.niche_sizes);
+    let (sizes, spare_sizes) = common.split_at(class.usual_sizes);
     let parents: Vec<Value> = class.parents.iter().map(|rule| value_of_parent(catalog, rule)).collect();
     let relations: Vec<Value> =
         class.relations.iter().map(|relation| value_of_relation(catalog, relation)).collect();
@@ -175,6 +182,7 @@ fn value_of(catalog: &Catalog, class: &Class, children: &[ClassIndex], room_type
         "groups": class.groups,
         "sizes": sizes,
         "spare_sizes": spare_sizes,
+        "niche_sizes": niche_sizes,
         "looks": class.looks,
         "varied": match class.variety {
             Variety::None => json!(false),

@@ -43,6 +43,10 @@ pub(crate) struct ClassEntry {
     /// Smaller sizes, taken only where none of `sizes` has a place: each [width, depth, height].
     #[serde(default)]
     pub(crate) spare_sizes: Vec<[f64; 3]>,
+    /// Wider sizes that only fill niches: a piece that is `joint` takes one where it reaches from a corner to what closes its other
+    /// side, each [width, depth, height].
+    #[serde(default)]
+    pub(crate) niche_sizes: Vec<[f64; 3]>,
     /// How many looks of each size the recipe makes; default 4.
     pub(crate) looks: Option<i64>,
     /// Whether each piece has a look and a size of its own, like plants and books; else pieces that are furnished
@@ -104,6 +108,8 @@ pub(crate) struct WallsEntry {
     pub(crate) with: BTreeMap<String, f64>,
     /// Points for each metre that the wall is long, up to 4 m; default 0.
     pub(crate) metre: Option<f64>,
+    /// Points in a corner: where its left or right side is closed, by another wall or by what stands there; default 0.
+    pub(crate) corner: Option<f64>,
 }
 
 /// The light of a lamp.

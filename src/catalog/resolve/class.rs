@@ -8,7 +8,7 @@ use super::relations::resolve_relations;
 use super::resolve_label;
 use super::shape::resolve_shape;
 use super::sides::{resolve_clearances, resolve_sides};
-use super::sizes::{resolve_sizes, resolve_spare_sizes};
+use super::sizes::{resolve_niche_sizes, resolve_sizes, resolve_spare_sizes};
 use crate::catalog::file::{ClassEntry, WallsEntry};
 use crate::catalog::read::Files;
 use crate::catalog::report::{Report, Spot};
@@ -61,6 +61,9 @@ fn resolve_class(
     let mut sizes = resolve_sizes(chain, files, report);
     let usual_sizes = sizes.len();
     sizes.extend(resolve_spare_sizes(chain, report));
+    let in_niches = resolve_niche_sizes(chain, report);
+    let niche_sizes = in_niches.len();
+    sizes.extend(in_niches);
     let shape = resolve_shape(chain, &sizes, report);
     let parents = resolve_parents(chain, names, report);
     let sides = resolve_sides(chain, &sizes, report);
@@ -81,6 +84,7 @@ fn resolve_class(
         groups: names.groups(index).to_vec(),
         sizes,
         usual_sizes,
+        niche_sizes,
         looks,
         variety: resolve_variety(chain, looks, report),
         share: chain.find("share", |entry| entry.share.as_ref()).map(|found| (*found.value).into()),
@@ -120,7 +124,7 @@ fn resolve_eras(chain: &Chain<'_, ClassEntry>) -> Vec<Era> {
 
 fn resolve_walls(chain: &Chain<'_, ClassEntry>, names: &Names<'_>, report: &mut Report<'_>) -> WallWishes {
     let Some(found) = chain.find("walls", |entry| entry.walls.as_ref()) else { return WallWishes::default() };
-    let WallsEntry { tags, with, metre } = found.value;
+    let WallsEntry { tags, with, metre, corner } = found.value;
     let mut wishes = WallWishes::default();
     for (tag, points) in tags {
         let spot = found.spot.key("tags").key(tag);
@@ -132,6 +136,7 @@ fn resolve_walls(chain: &Chain<'_, ClassEntry>, names: &Names<'_>, report: &mut 
         wishes.with.extend(names.classes(word, &spot, report).map(|named| (named.classes, points)));
     }
     wishes.metre = POINTS.check(metre.unwrap_or(0.0), &found.spot.key("metre"), report);
+    wishes.corner = POINTS.check(corner.unwrap_or(0.0), &found.spot.key("corner"), report);
     wishes
 }
 

@@ -60,6 +60,12 @@ pub(super) fn resolve_spare_sizes(chain: &Chain<'_, ClassEntry>, report: &mut Re
     found.map_or_else(Vec::new, |found| check_sizes(found.value, &found.spot, report))
 }
 
+/// The sizes that only fill niches; as with the spare ones, those of the entry that gives the sizes.
+pub(super) fn resolve_niche_sizes(chain: &Chain<'_, ClassEntry>, report: &mut Report<'_>) -> Vec<Size> {
+    let found = chain.find("niche_sizes", |entry| sized(entry).map(|entry| entry.niche_sizes.as_slice()));
+    found.map_or_else(Vec::new, |found| check_sizes(found.value, &found.spot, report))
+}
+
 /// The model of the nearest definition that has one. A model that gives its size is that of its own definition and of
 /// those that do not write sizes: a new model for `desk` is not meant for `small_desk`.
 pub(super) fn find_model<'a>(

@@ -19,6 +19,14 @@ impl Environment<'_> {
         });
     }
 
+    /// Whether a body that is more than a rug meets a region.
+    pub(crate) fn is_taken(&self, region: &Solid) -> bool {
+        self.body_grid.any(region.bounds, |index| {
+            let body = &self.bodies[index as usize];
+            !body.is_flat && region.overlaps(&body.solid, CONTACT_TOLERANCE)
+        })
+    }
+
     /// Calls `visit` with every door's way and clearance that meets a region.
     pub(crate) fn each_kept_free(&self, region: &Solid, mut visit: impl FnMut(&Solid)) {
         self.kept_free_grid.each_under(&region.base, |index| {

@@ -38,6 +38,10 @@ const TIGHT: f64 = 9.0;
 /// narrow bathrooms keep large fixtures with too little space before them; less, and baths stand less often where architects
 /// have them.
 const SMALLER: f64 = 4.0;
+/// Points for filling a niche, and metres that may be left beside what fills it: a ledge with tiles, as wide as the steps between
+/// the sizes and a joint. As much as half a tight place loses; more, and wide showers take the walls of basins.
+const NICHE: f64 = 4.0;
+const LEDGE: f64 = 0.11;
 
 /// A piece at its place.
 #[derive(Clone, Debug)]
@@ -148,6 +152,7 @@ fn go_on(
     if ways.iter().all(|way| way.is_poor) {
         ways.extend(smaller_places(environment, agent, stream));
     }
+    ways.extend(niche_places(environment, agent, stream));
     take_size(environment, agent, drawn);
     for standing in begun.standings.iter().rev() {
         environment.unsettle(standing.agent);
@@ -185,6 +190,22 @@ fn smaller_places(environment: &mut Environment<'_>, agent: AgentIndex, stream: 
         if is_enough {
             break;
         }
+    }
+    found
+}
+
+/// Free places in the sizes that only fill niches, where one does: as it is built, a tub or a tray reaches from wall to wall.
+fn niche_places(environment: &mut Environment<'_>, agent: AgentIndex, stream: &mut Stream) -> Vec<Way> {
+    let (class, drawn) = (environment.class(agent), environment.agents[agent].piece.variant);
+    let has_look = |variant: &u32| variant % class.looks == drawn % class.looks;
+    let variants = (class.common_variant_count()..class.variant_count()).filter(has_look);
+    let mut found = Vec::new();
+    for variant in variants {
+        take_size(environment, agent, variant);
+        let mut ways = places(environment, agent, stream);
+        ways.retain(|way| !way.is_poor && rules::fills_niche(environment, agent, &way.standing.place, LEDGE));
+        ways.iter_mut().for_each(|way| way.points += NICHE);
+        found.extend(ways);
     }
     found
 }

@@ -1,7 +1,7 @@
 //! Bathrooms of the catalogue in rooms made by hand, each with several seeds.
 
 use crate::catalog::{Catalog, Side, load_catalog};
-use crate::geometry::{Point, Solid};
+use crate::geometry::{Point, Solid, direction};
 use crate::layout::tests::{level, run};
 use crate::layout::{
     FurnishOptions, Furnished, Lock, LockSupport, Parent, Placement, clearance_solids, furnish,
@@ -109,5 +109,44 @@ fn where_a_long_bowl_leaves_too_little_space_a_short_one_stands() {
         for (_, region) in clearance_solids(&catalog.classes[toilet.class], toilet, true) {
             assert!(is_inside(&level, &region), "seed {seed}");
         }
+    }
+}
+
+/// Metres from the sides of a piece, across its width, to the sides of a rectangular room: the lesser and the larger.
+fn gaps_beside(level: &Level, piece: &Placement) -> [f64; 2] {
+    let right = direction(piece.angle);
+    let (middle, half) = (piece.position.dot(right), piece.size.width / 2.0);
+    let corners = level.rooms[0].region.outline.corners().iter().map(|corner| corner.dot(right));
+    let (low, high) =
+        corners.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (at.min(low), at.max(high)));
+    let (left, right) = (middle - half - low, high - middle - half);
+    [left.min(right), left.max(right)]
+}
+
+#[test]
+fn what_bathes_stands_in_a_corner_and_fills_the_short_side_of_a_narrow_bathroom() {
+    let catalog = load_catalog(&[]).unwrap().value;
+    let mut filled = 0;
+    for seed in SEEDS {
+        // The usual tubs leave 0.2 m or more of the short side.
+        let level = bathroom(1.9, 3.4, &[1]);
+        let furnished = run(&level, &catalog, seed);
+        let bath = placement(&catalog, &furnished, "bathing").unwrap();
+        let [corner, rest] = gaps_beside(&level, bath);
+        assert!(corner < 0.04, "seed {seed}: {corner} m from a corner");
+        filled += u32::from(rest < 0.111);
+    }
+    assert!(filled >= 9, "{filled} of 12 fill the niche");
+}
+
+#[test]
+fn a_bed_for_one_has_a_long_side_at_a_wall() {
+    let catalog = load_catalog(&[]).unwrap().value;
+    let mut level = bathroom(3.4, 3.6, &[]);
+    level.rooms[0].room_type = "childrens_room".to_owned();
+    for seed in SEEDS {
+        let furnished = run(&level, &catalog, seed);
+        let bed = placement(&catalog, &furnished, "sleeping").unwrap();
+        assert!(gaps_beside(&level, bed)[0] < 0.04, "seed {seed}");
     }
 }

@@ -2,6 +2,7 @@
 //! would like, best first. `environment` tests whether a pose is free.
 
 mod beside;
+mod corner;
 mod floor;
 mod grid;
 mod relation;
@@ -10,6 +11,7 @@ mod swing;
 mod turn;
 mod wall;
 
+pub(crate) use corner::fills_niche;
 pub(crate) use relation::{Factor, Measured, Score, measure, meets_needs, score, unmet_need, weigh};
 pub(crate) use swing::{count_at_swings, distance_to_swings};
 pub(crate) use turn::angle_of_front;
