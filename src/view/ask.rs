@@ -140,6 +140,7 @@ mod tests {
         let page = PlanPage::open("hut.yaml", &PLAN.replace("bed & board", "bed"), Some(3)).unwrap();
         let site = json(&page.ask("api/site", ""));
         assert_eq!((&site["seed"], &site["is_editable"]), (&3.into(), &false.into()));
+        assert_eq!(site["meanings"]["collision"], "Two bodies intersect.");
         let look = r#"{"building": "hut", "level": "a", "position": [1, 1], "mode": "orbit"}"#;
         let looked = json(&page.ask("api/look", look));
         assert_eq!(looked["waiting"], 0, "{looked}");

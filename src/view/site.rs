@@ -1,7 +1,10 @@
 //! What there is to see, as the page asks for it.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
+use crate::audit::Code;
 use crate::catalog::Catalog;
 use crate::contract::Closure;
 use crate::geometry::{Bounds, Point};
@@ -20,6 +23,8 @@ pub(super) struct SiteAnswer<'a> {
     styles: Vec<&'a str>,
     kind: &'static str,
     pub(super) is_editable: bool,
+    /// What each code of a finding means.
+    meanings: BTreeMap<&'static str, &'static str>,
     buildings: Vec<BuildingAnswer<'a>>,
 }
 
@@ -75,6 +80,7 @@ pub(super) fn site<'a>(
         styles: styles.collect(),
         kind,
         is_editable,
+        meanings: Code::ALL.into_iter().map(|code| (code.name(), code.meaning())).collect(),
         buildings: buildings.collect(),
     }
 }

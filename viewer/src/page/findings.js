@@ -7,18 +7,6 @@ const SEVERITIES = [
   { severity: 'minor', letter: 'm', shape: 'circle', name: 'Minor' },
 ];
 
-const EXPLANATIONS = {
-  collision: 'two bodies intersect', out_of_room: 'part of a body lies outside the room', floating: 'does not touch its support',
-  unsupported: 'hangs over the edge of its support', door_blocked: 'stands in the swing or approach of a door',
-  unreachable: 'people cannot walk there', blocked_use: 'the space needed before a side is taken',
-  tight_use: 'little space before a side', window_blocked: 'stands before a window', tv_position: 'a screen that nobody sees well',
-  facing: 'faces the wrong way', wet_room: 'a fixture right before the toilet', bedside: 'one side only to get into the bed',
-  crowded_half: 'nearly all furniture is in one half of the room', crooked: 'not parallel to its wall',
-  missing_required: 'a required piece is absent', unfulfilled: 'too few of the requested pieces have a place',
-  sparse: 'less furniture than the style asks for', bare: 'surfaces are empty', narrow_way: 'a way too narrow for a wheelchair',
-  no_turning_circle: 'no room to turn a wheelchair',
-};
-
 export const severityOf = ({ severity }) => SEVERITIES.find((each) => each.severity === severity) ?? SEVERITIES[1];
 
 /** All findings of rooms {id, extras}, the severe ones first: {room, code, objects, severity, ...}. */
@@ -28,11 +16,19 @@ export function findingsOf(rooms) {
   return all.sort((a, b) => rank(a) - rank(b));
 }
 
-/** One line: "Crowded half: row_basin.1. Nearly all ...; 0.89, threshold 0.85". */
-export function findingText({ code, objects, measured, threshold, given }) {
+/**
+ * One line: "Crowded half: nearly all furniture in one half of the room (basin.1). Measured 0.89, threshold 0.85". `meanings` is that of
+ * the site: a sentence for each code.
+ */
+export function findingText({ code, objects, measured, threshold, given }, meanings) {
   const about = objects.length > 0 ? ` (${objects.join(', ')})` : '';
-  const explanation = EXPLANATIONS[code] ? `: ${EXPLANATIONS[code]}` : '';
   const figures = typeof measured === 'number'
     ? `. Measured ${measured.toFixed(2)}${typeof threshold === 'number' ? `, threshold ${threshold.toFixed(2)}` : ''}` : '';
-  return `${words(code)}${explanation}${about}${figures}${given ? ', which the plan makes unavoidable' : ''}`;
+  return `${words(code)}${explanation(meanings[code])}${about}${figures}${given ? ', which the plan makes unavoidable' : ''}`;
+}
+
+/** A sentence as the end of another; nothing for a code that the server does not know. */
+function explanation(meaning) {
+  if (!meaning) return '';
+  return `: ${meaning.charAt(0).toLowerCase()}${meaning.slice(1).replace(/\.$/, '').replaceAll('`', '')}`;
 }

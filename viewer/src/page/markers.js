@@ -34,8 +34,9 @@ export class Markers {
   make(groups) {
     this.markers = groups.map((findings) => {
       const [finding] = findings;
-      const button = element('button', { type: 'button', title: findings.map(findingText).join('\n'), children: [badge(finding)] });
-      button.setAttribute('aria-label', `${finding.room}: ${findings.map(findingText).join('. ')}`);
+      const lines = findings.map((each) => findingText(each, this.app.site.meanings));
+      const button = element('button', { type: 'button', title: lines.join('\n'), children: [badge(finding)] });
+      button.setAttribute('aria-label', `${finding.room}: ${lines.join('. ')}`);
       button.addEventListener('click', () => this.panel.choose(finding.room, finding.objects[0] ?? null));
       return { finding, button };
     });

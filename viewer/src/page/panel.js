@@ -128,10 +128,14 @@ export class Panel {
     const sections = [...own, ...missing.length > 0 ? [{ title: 'Missing', lines: missing }] : []];
     const isAbout = ({ room, objects }) => room === piece?.room && objects.includes(piece.id);
     const findings = findingsOf(this.app.rooms.contents()).filter(isAbout);
-    if (findings.length > 0) sections.unshift({ title: 'Findings', lines: findings.map(findingText) });
+    if (findings.length > 0) sections.unshift({ title: 'Findings', lines: findings.map((finding) => this.textOf(finding)) });
     byId('reason').replaceChildren(...sections.flatMap(({ title, lines }) => [
       element('h3', { text: title }), element('ul', { children: lines.map((text) => element('li', { text })) }),
     ]));
+  }
+
+  textOf(finding) {
+    return findingText(finding, this.app.site.meanings);
   }
 
   showFindings() {
@@ -140,7 +144,7 @@ export class Panel {
     if (key === this.findingsKey) return;
     this.findingsKey = key;
     const items = findings.map((finding) => {
-      const text = element('span', { text: `${finding.room}: ${findingText(finding)}` });
+      const text = element('span', { text: `${finding.room}: ${this.textOf(finding)}` });
       const button = element('button', { type: 'button', children: [badge(finding), text] });
       button.addEventListener('click', () => this.choose(finding.room, finding.objects[0] ?? null));
       return element('li', { children: [button] });

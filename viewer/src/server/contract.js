@@ -5,7 +5,7 @@ export function readSite(site) {
   if (!Array.isArray(site?.buildings)) throw new Error('the server sends no list of buildings: it is of another version than this page');
   const buildings = site.buildings.filter(({ levels }) => levels?.length > 0).map((building) => ({ position: [0, 0], turn: 0, ...building }));
   if (buildings.length === 0) throw new Error('there is no building with a level to show');
-  return { styles: [], style: null, seed: 1, edits: null, is_editable: false, ...site, buildings };
+  return { styles: [], style: null, seed: 1, edits: null, is_editable: false, meanings: {}, ...site, buildings };
 }
 
 /** The answer of api/level. */
