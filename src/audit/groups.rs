@@ -1,35 +1,97 @@
-//! The groups of classes that rules are about. A class takes part in a rule by naming the group in
-//! `configs/classes/`.
+//! The groups of classes that rules are about, with their words and meanings. A class takes part in a rule by naming the word among
+//! its `groups` in `configs/classes/`. A further group is one line of the list below; docs/guide.md lists the groups as they
+//! stand here: `UPDATE_GOLDENS=1 cargo test --lib the_guide_lists_the_groups`.
 
-/// People sit on it.
-pub(crate) const SEAT: &str = "seat";
-/// A bed.
-pub(crate) const BED: &str = "bed";
-/// People lie on it.
-pub(crate) const SLEEPING: &str = "sleeping";
-/// A television.
-pub(crate) const SCREEN: &str = "screen";
-/// A desk.
-pub(crate) const WORK_SURFACE: &str = "work_surface";
-/// People put things on it, and may sit at it.
-pub(crate) const SURFACE: &str = "surface";
-/// A mirror.
-pub(crate) const MIRROR: &str = "mirror_glass";
-/// A tub or shower.
-pub(crate) const BATHING: &str = "bathing";
-/// A toilet or urinal.
-pub(crate) const TOILET: &str = "wc";
-/// One cooks at it.
-pub(crate) const COOKING: &str = "cooking";
-/// Small enough to be carried in a hand.
-pub(crate) const SMALL: &str = "small";
-/// A lamp.
-pub(crate) const LIGHT: &str = "light";
-/// A chair that is moved whenever it is used.
-pub(crate) const MOVABLE: &str = "movable";
-/// A plant in a pot.
-pub(crate) const PLANT: &str = "greenery";
-/// A curtain or blind.
-pub(crate) const WINDOW_DRESSING: &str = "window_dressing";
-/// Looks bare without small things on it.
-pub(crate) const DISPLAY: [&str; 3] = ["work_surface", "display_surface", "kitchen_top"];
+macro_rules! groups {
+    ($(#[doc = $meaning:literal] $name:ident: $word:literal;)+) => {
+        $(#[doc = $meaning] pub(crate) const $name: &str = $word;)+
+
+        /// Words and meanings, for the guide.
+        #[cfg(test)]
+        const ALL: &[(&str, &str)] = &[$(($word, $meaning)),+];
+    };
+}
+
+groups! {
+    /// People sit on it, stools and benches too.
+    SEAT: "seat";
+    /// A bed.
+    BED: "bed";
+    /// People lie on it.
+    SLEEPING: "sleeping";
+    /// A television, not the screen of a computer.
+    SCREEN: "screen";
+    /// A desk.
+    WORK_SURFACE: "work_surface";
+    /// People put things on it, and may sit at it.
+    SURFACE: "surface";
+    /// A mirror.
+    MIRROR: "mirror_glass";
+    /// A tub or shower.
+    BATHING: "bathing";
+    /// A toilet or urinal.
+    TOILET: "wc";
+    /// One cooks at it.
+    COOKING: "cooking";
+    /// Small enough to be carried in a hand.
+    SMALL: "small";
+    /// A lamp.
+    LIGHT: "light";
+    /// A chair that is moved whenever it is used.
+    MOVABLE: "movable";
+    /// A plant in a pot.
+    PLANT: "greenery";
+    /// A curtain or blind.
+    WINDOW_DRESSING: "window_dressing";
+    /// Looks bare without small things on it.
+    DISPLAY_SURFACE: "display_surface";
+    /// The top of a row of kitchen units.
+    KITCHEN_TOP: "kitchen_top";
+}
+
+/// What looks bare without small things on it.
+pub(crate) const DISPLAY: [&str; 3] = [WORK_SURFACE, DISPLAY_SURFACE, KITCHEN_TOP];
+
+#[cfg(test)]
+mod tests {
+    use super::ALL;
+    use crate::catalog::load_catalog;
+
+    #[test]
+    fn every_group_has_a_class() {
+        let classes = load_catalog(&[]).unwrap().value.classes;
+        for (word, _) in ALL {
+            let has_it = classes.iter().any(|class| class.groups.iter().any(|group| group == word));
+            assert!(has_it, "{word}");
+        }
+    }
+
+    /// The list as the guide shows it.
+    fn list() -> String {
+        let line = |(word, meaning): &(&str, &str)| {
+            let meaning = meaning.trim().trim_end_matches('.');
+            let (first, rest) = meaning.split_at(1);
+            format!("  - `{word}`: {}{rest}\n", first.to_lowercase())
+        };
+        ALL.iter().map(line).collect()
+    }
+
+    #[test]
+    fn the_guide_lists_the_groups_with_their_meanings() {
+        const BEFORE: &str = "The audit asks for these groups:\n";
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/guide.md");
+        let guide = std::fs::read_to_string(path).unwrap();
+        let from = guide.find(BEFORE).expect("the guide has the list") + BEFORE.len();
+        // From the end of the line before, so that an empty list ends, too.
+        let length = guide[from - 1..].find("\n- ").expect("the list ends");
+        let (before, shown, after) = (&guide[..from], &guide[from..from + length], &guide[from + length..]);
+        if std::env::var_os("UPDATE_GOLDENS").is_some() {
+            return std::fs::write(path, [before, &list(), after].concat()).unwrap();
+        }
+        assert_eq!(
+            shown,
+            list(),
+            "renew it with UPDATE_GOLDENS=1 cargo test --lib the_guide_lists_the_groups"
+        );
+    }
+}
