@@ -4,7 +4,7 @@ use core::cell::OnceCell;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-use crate::catalog::{AuditRules, Catalog, Class, ClassIndex, Style};
+use crate::catalog::{AuditRules, Catalog, Class, ClassIndex, Side, Style};
 use crate::contract::ElementId;
 use crate::geometry::{Point, Solid, direction, edges};
 use crate::layout::{Furnished, Parent, Placement, object_id, opening_id, solids};
@@ -13,6 +13,7 @@ use crate::walk::EmptyFloors;
 
 use super::convex::area;
 use super::fault::{Element, Named};
+use super::groups::{SEAT, SURFACE};
 use super::near::{NearBoxes, NearPoints};
 use super::upright_box::UprightBox;
 
@@ -141,6 +142,14 @@ impl<'a> Subject<'a> {
             .iter()
             .take_while(move |&&(parent, _)| parent == object)
             .map(|&(_, child)| child)
+    }
+
+    /// The table or desk that a seat stands at.
+    pub(crate) fn table_of(&self, seat: usize) -> Option<usize> {
+        let body = &self.bodies[seat];
+        let Parent::Object(parent) = body.placement.parent else { return None };
+        let is_beside = !matches!(body.placement.side, Side::Above | Side::Below);
+        (is_beside && body.is_in(SEAT) && self.bodies[parent].is_in(SURFACE)).then_some(parent)
     }
 
     /// An object, what it rests on, what that rests on, and so on.

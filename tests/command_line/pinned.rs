@@ -1,7 +1,7 @@
 //! Whole levels with known bytes: a house, a level of a hotel, an office around a corner.
 //!
-//! A change that is not meant to alter the output keeps these bytes. A change that is meant to alter it says so in the
-//! changelog and renews them: `UPDATE_GOLDENS=1 cargo test --test command_line pinned`.
+//! A change that is not meant to alter the output keeps these bytes. A change that is meant to alter it renews them:
+//! `UPDATE_GOLDENS=1 cargo test --test command_line pinned`. From the first release on, it also says so in CHANGELOG.md.
 
 use std::fs;
 use std::path::{Path, PathBuf};

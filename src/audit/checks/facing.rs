@@ -2,12 +2,11 @@
 
 use crate::audit::evidence::Evidence;
 use crate::audit::fault::Fault;
-use crate::audit::groups::{MIRROR, SEAT, SURFACE, WORK_SURFACE};
+use crate::audit::groups::{MIRROR, SEAT, WORK_SURFACE};
 use crate::audit::quantity::Quantity;
 use crate::audit::subject::{Body, Subject};
 use crate::catalog::{ParentName, Side};
 use crate::geometry::Point;
-use crate::layout::Parent;
 
 /// Judges seats at tables, desks with seats, and mirrors.
 pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
@@ -15,7 +14,7 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     let mut faults = Vec::new();
     let limit = subject.rules().facing.angle;
     for (index, body) in subject.bodies.iter().enumerate() {
-        if let Some(table) = table_of(subject, body) {
+        if let Some(table) = subject.table_of(index) {
             let off = off_table(body, &subject.bodies[table]);
             if off > limit {
                 let subjects = vec![subject.object(index), subject.object(table)];
@@ -32,13 +31,6 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
         }
     }
     faults
-}
-
-/// The table or desk that a seat stands at, by index.
-fn table_of(subject: &Subject<'_>, seat: &Body<'_>) -> Option<usize> {
-    let Parent::Object(parent) = seat.placement.parent else { return None };
-    let is_beside = !matches!(seat.placement.side, Side::Above | Side::Below);
-    (is_beside && seat.is_in(SEAT) && subject.bodies[parent].is_in(SURFACE)).then_some(parent)
 }
 
 /// Radians between where a seat faces and its table: straight at the side it stands at, or at the middle, as
