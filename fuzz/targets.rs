@@ -22,7 +22,8 @@ use tempfile::TempDir;
 /// Reads an input; answers whether anything came of it.
 pub type Target = fn(&[u8]) -> bool;
 
-/// All targets by name, which is also that of their folder of cases: a new one is a line here and a case below `corpus/`.
+/// All targets by name, which is also that of their folder of cases: a new one is a line here and a case below `corpus/`. The cases
+/// of `plan_import` are the folders of `tests/cases/plan_import`, a bundle each: a new reader needs no line.
 pub const TARGETS: &[(&str, Target)] = &[
     ("archilyse", read_bundle_of_plans),
     ("catalog", read_catalog),
@@ -42,10 +43,14 @@ pub const TARGETS: &[(&str, Target)] = &[
     ("osm", plan_osm),
     ("pbf", plan_pbf),
     ("plan", read_plan),
+    (PLAN_IMPORT, read_bundle_of_plans),
     ("resplan", read_resplan),
     ("sweet_home", read_sweet_home),
     ("swiss_dwellings", read_swiss_dwellings),
 ];
+
+/// The target whose cases are those of the readers' tests.
+pub const PLAN_IMPORT: &str = "plan_import";
 
 /// Faults of one input at most: those of each room and object, not of each byte.
 const MOST_FAULTS: usize = 10_000;
@@ -97,14 +102,8 @@ fn read_ifc(data: &[u8]) -> bool {
     read_files(&[("building.ifc", data)], "")
 }
 
-/// A packed home or its text, with its furniture.
+/// A packed home or its text.
 fn read_sweet_home(data: &[u8]) -> bool {
-    let folder = folder(&[("home.sh3d", data)]);
-    if let Err(faults) =
-        drawn_furniture(&folder.path().join("home.sh3d"), &PlanOptions::new(&CATALOG.room_words))
-    {
-        check_faults(&faults);
-    }
     read_files(&[("home.sh3d", data)], "")
 }
 
@@ -112,13 +111,8 @@ fn read_resplan(data: &[u8]) -> bool {
     read_files(&[("plan.json", data)], "")
 }
 
-/// A table of floors, with its furniture.
+/// A table of floors.
 fn read_swiss_dwellings(data: &[u8]) -> bool {
-    let folder = folder(&[("geometries.csv", data)]);
-    let options = PlanOptions::new(&CATALOG.room_words);
-    if let Err(faults) = drawn_furniture(&folder.path().join("geometries.csv"), &options) {
-        check_faults(&faults);
-    }
     read_files(&[("geometries.csv", data)], "")
 }
 
@@ -126,6 +120,7 @@ fn read_bundle_of_plans(data: &[u8]) -> bool {
     read_files(&unbundled(data), "site")
 }
 
+/// Reads files below a folder, and the furniture of those that draw some.
 fn read_files(files: &[(&str, &[u8])], below: &str) -> bool {
     let files: Vec<(String, &[u8])> =
         files.iter().map(|(path, bytes)| (format!("{below}/{path}"), *bytes)).collect();
@@ -135,7 +130,13 @@ fn read_files(files: &[(&str, &[u8])], below: &str) -> bool {
     } else {
         folder.path().join(below)
     };
-    let reading = read_plans(&[input], &PlanOptions::new(&CATALOG.room_words));
+    let options = PlanOptions::new(&CATALOG.room_words);
+    for (path, _) in &files {
+        if let Err(faults) = drawn_furniture(&folder.path().join(path.trim_start_matches('/')), &options) {
+            check_faults(&faults);
+        }
+    }
+    let reading = read_plans(&[input], &options);
     check_faults(&reading.faults);
     !reading.plan.buildings.is_empty()
 }

@@ -1,4 +1,4 @@
-//! Feeds hostile inputs to the targets of `fuzz/`: cases of its corpus, and many more made from them.
+//! Feeds hostile inputs to the targets of `fuzz/`: cases of its corpus and of the readers' tests, and many more made from them.
 //!
 //! The same inputs are made on each run. `ROOMWRIGHT_FUZZ_COUNT=n` makes n for each target, `ROOMWRIGHT_FUZZ_SEED=n`
 //! others, `ROOMWRIGHT_FUZZ_TARGET=name` those of one target. `scripts/fuzz.sh` does all this for hours with the release
@@ -17,10 +17,12 @@ use std::path::{Path, PathBuf};
 
 use mutate::Draw;
 use resources::Watch;
-use targets::{TARGETS, Target};
+use targets::{PLAN_IMPORT, TARGETS, Target};
 
 /// Inputs of a target, unless `ROOMWRIGHT_FUZZ_COUNT` says otherwise.
 const COUNT: u64 = 300;
+/// For each case of [`PLAN_IMPORT`], as its cases are of many readers.
+const COUNT_OF_IMPORT: u64 = 50;
 /// Of one of the slow targets.
 const SLOW_COUNT: u64 = 40;
 /// Targets whose every input reads the whole catalogue, or plans, writes and reads again some buildings.
@@ -36,12 +38,46 @@ fn number(variable: &str) -> Option<u64> {
 
 /// The cases of a target, by name.
 fn corpus(target: &str) -> Vec<(String, Vec<u8>)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz/corpus").join(target);
-    let entries = fs::read_dir(&folder).unwrap();
-    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.unwrap().path()).collect();
-    paths.sort();
+    let project = Path::new(env!("CARGO_MANIFEST_DIR"));
     let name = |path: &PathBuf| path.file_name().unwrap().to_str().unwrap().to_owned();
-    paths.iter().map(|path| (name(path), fs::read(path).unwrap())).collect()
+    if target == PLAN_IMPORT {
+        let cases =
+            entries(&project.join("tests/cases/plan_import")).into_iter().filter(|path| path.is_dir());
+        return cases.map(|case| (name(&case), bundle(&case, ""))).collect();
+    }
+    let cases = entries(&project.join("fuzz/corpus").join(target));
+    cases.iter().map(|path| (name(path), fs::read(path).unwrap())).collect()
+}
+
+/// Whatever lies in a folder, by name.
+fn entries(folder: &Path) -> Vec<PathBuf> {
+    let mut paths: Vec<PathBuf> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    paths.sort();
+    paths
+}
+
+/// The files of a folder as one input; `below` is the path of the folder in it.
+fn bundle(folder: &Path, below: &str) -> Vec<u8> {
+    let mut bundle = Vec::new();
+    for path in entries(folder) {
+        let name = format!("{below}{}", path.file_name().unwrap().to_str().unwrap());
+        if path.is_dir() {
+            bundle.extend(self::bundle(&path, &format!("{name}/")));
+        } else {
+            let file = fs::read(&path).unwrap();
+            bundle.extend([format!("=== {name}\n").as_bytes(), &file, b"\n"].concat());
+        }
+    }
+    bundle
+}
+
+/// How many inputs are made of the cases of a target.
+fn count(target: &str, cases: usize) -> u64 {
+    number("ROOMWRIGHT_FUZZ_COUNT").unwrap_or(match target {
+        PLAN_IMPORT => COUNT_OF_IMPORT * cases as u64,
+        _ if SLOW.contains(&target) => SLOW_COUNT,
+        _ => COUNT,
+    })
 }
 
 /// One test for all: memory is that of the process.
@@ -61,8 +97,7 @@ fn hostile_inputs_are_read_or_rejected_within_bounds() {
             fails.extend(failure(target, bytes, &mut watch).map(|why| format!("{name}/{case}: {why}")));
         }
         assert!(watch.read_count() > 0, "no case of {name} can be read");
-        let count =
-            number("ROOMWRIGHT_FUZZ_COUNT").unwrap_or(if SLOW.contains(&name) { SLOW_COUNT } else { COUNT });
+        let count = count(name, cases.len());
         let first = number("ROOMWRIGHT_FUZZ_SEED").unwrap_or(0).wrapping_mul(1 << 32);
         for seed in first..first + count {
             let mut draw = Draw::new(name, seed);
