@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::foreign::head;
 use crate::document::top_keys;
 
 /// The parts of a file that recognition looks at.
@@ -17,6 +18,11 @@ pub(super) struct Sample {
 }
 
 impl Sample {
+    /// Of so many bytes of a file.
+    pub(super) fn read(path: &Path, size: u64) -> Self {
+        Self::of(path, head(path, size))
+    }
+
     /// Of the first bytes of a file.
     pub(super) fn of(path: &Path, head: Vec<u8>) -> Self {
         let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
@@ -32,6 +38,16 @@ impl Sample {
     /// Whether the file begins so.
     pub(super) fn begins(&self, signature: &[u8]) -> bool {
         self.head.starts_with(signature)
+    }
+
+    /// Whether the file begins as an object of JSON does.
+    pub(super) fn is_object(&self) -> bool {
+        self.text.starts_with('{')
+    }
+
+    /// Whether the beginning holds one of these words.
+    pub(super) fn holds_one_of(&self, words: &[&str]) -> bool {
+        words.iter().any(|word| self.text.contains(word))
     }
 
     /// Whether all of these are outermost keys.

@@ -25,7 +25,8 @@ mod tests;
 use std::path::Path;
 
 pub(super) use self::rooms::type_of;
-use super::foreign::{Parts, head};
+use super::foreign::Parts;
+use super::sample::Sample;
 use crate::plan::RoomWords;
 use crate::plan::read::reader::{ForeignFormat, ReadFormat, ReadResult};
 
@@ -64,11 +65,9 @@ fn recognises(path: &Path) -> bool {
         return path.join(SITE_FILE).is_file();
     }
     let is_table = path.file_name().is_some_and(|name| name == SITE_FILE);
-    let head = head(path, HEAD_SIZE);
-    let head = String::from_utf8_lossy(&head);
+    let sample = Sample::read(path, HEAD_SIZE);
     // A list of drawings is a table of a site.
-    let is_one = head.trim_start_matches('\u{feff}').trim_start().starts_with('{');
-    !is_table && is_one && EDITOR_KEYS.iter().any(|key| head.contains(key))
+    !is_table && sample.is_object() && sample.holds_one_of(&EDITOR_KEYS)
 }
 
 /// The fault of a folder that has some tables of a site, with those that are needed.

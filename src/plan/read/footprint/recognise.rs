@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use crate::plan::read::foreign::head;
 use crate::plan::read::sample::Sample;
 
 /// Bytes at the start of a file by which it is recognised.
@@ -24,7 +23,7 @@ pub(crate) enum FootprintFormat {
 /// The format of a file, if it is one of footprints. IMDF and the Japanese indoor map are none. Maps of OpenStreetMap with rooms
 /// are taken by the reader of these, which is asked before; here they count for their outlines of buildings.
 pub(crate) fn recognises(path: &Path) -> Option<FootprintFormat> {
-    let sample = Sample::of(path, head(path, HEAD_SIZE));
+    let sample = Sample::read(path, HEAD_SIZE);
     if sample.head.get(4..).is_some_and(|rest| rest.starts_with(b"\x0a\x09OSMHeader")) {
         return Some(FootprintFormat::OsmPbf);
     }
@@ -38,11 +37,11 @@ pub(crate) fn recognises(path: &Path) -> Option<FootprintFormat> {
 }
 
 fn is_cityjson(sample: &Sample) -> bool {
-    sample.text.starts_with('{') && (sample.says("type", "CityJSON") || sample.has(&["CityObjects"]))
+    sample.is_object() && (sample.says("type", "CityJSON") || sample.has(&["CityObjects"]))
 }
 
 fn is_geojson(sample: &Sample) -> bool {
-    let is_one = sample.text.starts_with('{') && (sample.is_geojson() || sample.says("type", "Feature"));
-    let is_of_rooms = ["\"feature_type\"", "\"floor_id\""].iter().any(|key| sample.text.contains(key));
+    let is_one = sample.is_object() && (sample.is_geojson() || sample.says("type", "Feature"));
+    let is_of_rooms = sample.holds_one_of(&["\"feature_type\"", "\"floor_id\""]);
     is_one && !is_of_rooms
 }

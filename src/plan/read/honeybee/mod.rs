@@ -36,7 +36,7 @@ use self::model::{Place, Storey, part};
 use self::notes::Notes;
 use self::room_types::{NAME, Naming};
 use self::schema::{Building, Model};
-use super::foreign::{head, slug};
+use super::foreign::slug;
 use super::reader::{DraftedBuilding, ForeignFormat, ReadBuildings, ReadFormat, ReadResult};
 use super::sample::Sample;
 use crate::document::{Fault, Source, did_you_mean};
@@ -77,13 +77,13 @@ fn recognises(path: &Path) -> bool {
     if path.is_dir() {
         return false;
     }
-    let small = Sample::of(path, head(path, HEAD_SIZE));
-    if !small.text.starts_with('{') || small.is_geojson() {
+    let small = Sample::read(path, HEAD_SIZE);
+    if !small.is_object() || small.is_geojson() {
         return false;
     }
-    let tells = |sample: &Sample| TELLING.iter().any(|word| sample.text.contains(word));
-    tells(&small)
-        || (small.head.len() as u64 == HEAD_SIZE && tells(&Sample::of(path, head(path, LARGE_HEAD_SIZE))))
+    let is_longer = || small.head.len() as u64 == HEAD_SIZE;
+    small.holds_one_of(&TELLING)
+        || (is_longer() && Sample::read(path, LARGE_HEAD_SIZE).holds_one_of(&TELLING))
 }
 
 fn read(path: &Path, words: &RoomWords) -> ReadResult {

@@ -29,8 +29,9 @@ use serde_json::Value;
 use self::level::Classes;
 use self::notes::{NAME, Notes};
 use self::sheet::sheets;
-use super::foreign::{head, slug};
+use super::foreign::slug;
 use super::reader::{DraftedBuilding, ForeignFormat, ReadBuildings, ReadFormat, ReadResult};
+use super::sample::Sample;
 use crate::document::{Fault, Source};
 use crate::plan::{BuildingDraft, PlanOptions};
 
@@ -64,12 +65,11 @@ fn recognises(path: &Path) -> bool {
     if path.is_dir() {
         return false;
     }
-    is_plan(&String::from_utf8_lossy(&head(path, HEAD_SIZE)))
+    is_plan(&Sample::read(path, HEAD_SIZE).text)
 }
 
 /// Whether a text begins as a plan does. Maps of rooms have the same words as values of their tags.
 fn is_plan(text: &str) -> bool {
-    let text = text.trim_start_matches('\u{feff}').trim_start();
     if !text.starts_with(['{', '[']) || OTHER_FORMATS.iter().any(|word| text.contains(word)) {
         return false;
     }

@@ -26,7 +26,7 @@ pub(super) enum SitFormat {
 
 /// The encoding of a file, if it is a map of rooms.
 pub(super) fn recognises(path: &Path) -> Option<SitFormat> {
-    let sample = Sample::of(path, head(path, HEAD_SIZE));
+    let sample = Sample::read(path, HEAD_SIZE);
     if sample.head.get(4..).is_some_and(|rest| rest.starts_with(b"\x0a\x09OSMHeader")) {
         return has_rooms_in_pbf(path).then_some(SitFormat::Pbf);
     }
@@ -35,11 +35,11 @@ pub(super) fn recognises(path: &Path) -> Option<SitFormat> {
         return is_of_rooms(counts(&text, ["k=\"indoor\"", "k=\"building\""], "v="))
             .then_some(SitFormat::Xml);
     }
-    if !sample.text.starts_with('{') || !(sample.is_geojson()) {
+    if !sample.is_object() || !sample.is_geojson() {
         return None;
     }
     let text = String::from_utf8_lossy(&head(path, TEXT_SIZE)).into_owned();
-    let is_other = ["\"feature_type\"", "\"floor_id\""].iter().any(|key| sample.text.contains(key));
+    let is_other = sample.holds_one_of(&["\"feature_type\"", "\"floor_id\""]);
     (!is_other && is_of_rooms(counts(&text, ["\"indoor\"", "\"building\""], ":")))
         .then_some(SitFormat::GeoJson)
 }
