@@ -79,6 +79,8 @@ fn read(path: &Path, words: &RoomWords) -> ReadResult {
         vec![DraftedBuilding {
             id,
             draft: BuildingDraft { levels: vec![level], ..BuildingDraft::default() },
+            // Lengths as the native plan has them, so that a bake of what `import` writes gives the bytes of a bake of this file.
+            is_settled: true,
             ..DraftedBuilding::default()
         }],
         faults,

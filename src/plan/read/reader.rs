@@ -67,8 +67,8 @@ pub(crate) struct DraftedBuilding {
     /// Where its frame is on the site, if the file says.
     pub(crate) placement: SitePlacement,
     /// Whether the building is taken as its native plan says it, so that `import` and `bake` of the result furnish it as `bake` of the
-    /// file does, to the byte. Formats that were read before this was asked give the same rooms, but lengths that differ by up to
-    /// 0.01 mm.
+    /// file does, to the byte. New readers set it. Formats that were read before this was asked give the same rooms, but lengths
+    /// that differ by up to 0.01 mm.
     pub(crate) is_settled: bool,
 }
 

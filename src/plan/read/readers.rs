@@ -1,38 +1,61 @@
 //! The table of readers of foreign formats, and how to add one.
 //!
 //! 1. Write the reader: a file or folder here with a `pub(super) const FORMAT: ForeignFormat`. `example.rs` is a complete
-//!    one to copy (there `FORMAT` is private, as no list names it); `reader.rs` says what each field is asked. Add its `mod`
-//!    line to `mod.rs` and its `FORMAT` to the list below. Recognition, `roomwright formats`, `import` and hints follow.
-//! 2. Renew the table in `docs/commands.md`: `UPDATE_GOLDENS=1 cargo test --lib the_page_about_commands`. README.md and
-//!    CHANGELOG.md name the formats, too; no other golden does.
-//! 3. Words for rooms are a section of `formats` in `configs/room_words.yaml`, which may be there already (`osm`). The
-//!    reader asks for them by the name of the section: `words.room_type("osm", "office")`, in capitals or not. By custom the
-//!    name is also `about.name` of the format, the word in the answers of `formats` and `import`; nothing in the program
-//!    joins the two. Where an unread format has that word in its name and stays unread (`.osm`), name the format otherwise,
-//!    such as `osm-indoor`. Of several words for one room the most specific decides; a word that says no more than "room"
-//!    (`generic`) is no fault.
+//!    one to copy (there `FORMAT` is private, as no list names it); `reader.rs` says what each field is asked. Set
+//!    `is_settled: true`, as the example does. Add its `mod` line to `mod.rs`, in the order of the alphabet; nothing else there
+//!    concerns a reader. Add its `FORMAT` to the list below: the first that recognises a file reads it. A new one goes before
+//!    `indoor::sit::FORMAT`, for that and `outlines::FORMAT` take maps of any origin. Recognition, `roomwright formats`, `import`
+//!    and hints follow.
+//! 2. Renew the table in `docs/commands.md`: `UPDATE_GOLDENS=1 cargo test --lib the_page_about_commands`; no other golden names
+//!    the formats. Add a section "How to export from ..." to `docs/importing.md`: how to get a file, the commands, a table of what
+//!    its parts become, and what is not read. That of the Japanese indoor map is the shortest to copy. README.md ends its list in
+//!    "and more" and stays as it is; so does CHANGELOG.md, until a version is released.
+//! 3. Words for rooms are a section of `formats` in `configs/room_words.yaml`, which may be there already (`osm`). `formats`
+//!    ends the file, with its sections in the order of the alphabet:
+//!
+//!    ```yaml
+//!      example:
+//!        kitchen: kitchen       # the word of the file: the room type
+//!        open_office: office    # in capitals or not; spaces, `_` and `-` as the file writes them
+//!        room: generic          # says no more than "a room": guessed, and no fault
+//!    ```
+//!
+//!    The reader asks for them by the name of the section: `words.room_type("example", "Open_Office")`. By custom the name is also
+//!    `about.name` of the format, the word in the answers of `formats` and `import`; nothing in the program joins the two. Where an
+//!    unread format has that word in its name and stays unread (`.osm`), name the format otherwise, such as `osm-indoor`. Of
+//!    several words for one room the most specific decides.
 //! 4. Add a case: a folder below `tests/cases/plan_import/` with a small plan. `UPDATE_GOLDENS=1 cargo test --test plan
 //!    import` writes what is read of it into a text beside the folder, `<folder>.txt`, and fails so that somebody looks at
-//!    it. For damaged inputs, add a line to `TARGETS` of `fuzz/targets.rs`, and the plan as a case in the folder of its name
-//!    below `fuzz/corpus/`. No test counts the cases.
+//!    it. The fuzz test damages the files of the folder by itself. No test counts the cases.
 //! 5. If the format is a line of `unread.rs`, which names formats that are known and not read, delete the line, and its case in the
 //!    tests there. Keep both if some files of the format stay unread (OSM without indoor tags): readers are asked first, and a file
 //!    that none recognises is refused by its line. The test `a_format_is_read_or_not_read` fails if a word of an unread format's
 //!    name is the name of a format that is read. Files that are read now go from the list of refused ones in
 //!    `tests/plan/unread.rs`.
+//! 6. It is done if these pass, and the last one furnishes the case:
+//!
+//!    ```text
+//!    cargo clippy --all-targets -- -D warnings
+//!    cargo test --lib plan::read
+//!    cargo test --test plan --test fuzz
+//!    cargo run -- formats
+//!    cargo run -- bake tests/cases/plan_import/<folder> --out out
+//!    ```
 //!
 //! | for | use |
 //! |---|---|
 //! | the types to fill, and what each may leave open | `plan/draft.rs`: metres, x east, y north; `assemble` finds the rest |
 //! | the text of a file; a JSON or YAML document as a type | `Source::read(path)?`; `source.parse::<T>()?`, where `T` derives `Deserialize` and `JsonSchema` |
 //! | a fault at a line and column | `source.fault_at(Some((line, column)), message)`, then `.with_hint(hint)`, `.as_warning()` |
-//! | a fault at a document path | `source.fault(&["rooms".into(), 3.into()], message, hint, FaultSeverity::Warning)` |
+//! | a fault at a document path | `source.fault(&path, message, hint, severity)`: a slice of `PathStep`s such as `&["rooms".into(), 3.into()]`, the fact, `Some(String)` or `None`, and `FaultSeverity::Error` or `Warning`; `use crate::document::{FaultSeverity, PathStep}` |
 //! | GeoJSON: features, areas and lines in metres | `geojson/mod.rs`; `imdf/translate.rs` shows its use |
-//! | to recognise a file by what it holds | `head(path, 4096)` of `foreign.rs` gives its first bytes: look for words that no other format begins with. Where they come late (tags behind all nodes), test the root first, and only then search a larger `head`, such as a megabyte. Faults of a recognised file are reported also in a folder, where files that nobody recognises are passed over |
+//! | to recognise a file by what it holds | `head(path, 4096)` of `foreign.rs` gives its first bytes: look for words that no other format begins with. Where they come late (tags behind all nodes), test the root first, and only then search a larger part, such as a megabyte. Faults of a recognised file are reported also in a folder, where files that nobody recognises are passed over |
+//! | to recognise JSON or XML | `let sample = Sample::read(path, 4096)` (`sample.rs`), then `sample.is_object() && sample.has(&["rooms", "walls"])`, if all of these are outermost keys in the first bytes; `holds_one_of(&["\"Room2D\""])` for words at any depth, `says("type", "Plan")` for a key with its value, `is_xml("plan")`. `honeybee/mod.rs` shows its use |
 //! | tables of any size | `swiss_dwellings/records.rs`: one record in memory, with its line; `gather.rs` keeps the chosen ones |
 //! | binary files | nothing in common yet; `ifc/step.rs` reads STEP from the text. A crate is welcome if it keeps the places of elements, and its line in Cargo.toml says what it saves |
 //! | degrees of longitude and latitude | `LocalPlane::at(longitude, latitude)?.project(longitude, latitude)` of `plan/units.rs` (no plane outside ±180° and ±85°), which has other units too: one plane for all levels of a building, at `Bounds::around(points).center()` of its corners; `plane_of` of `geojson/place.rs` does that for GeoJSON. `Polygon` takes metres; an area in degrees counts as none |
-//! | first bytes, ids from names, words for rooms, missing files | `foreign.rs`: `head`, `slug`, `TypeOfWord`, `unknown_words`, `missing_parts` |
+//! | axes | plans have x east, y north. Of a file with y down, as of pixels, `Point::new(x, -y)`; with Y up, right-handed, as glTF: `Point::new(x, -z)`; with Y up, left-handed, as Unity: `Point::new(x, z)` |
+//! | first bytes, ids from names, words for rooms, missing files, doors too wide for a leaf | `foreign.rs`: `head`, `slug`, `TypeOfWord`, `unknown_words`, `missing_parts`, `WIDEST_LEAF` (metres; wider doors slide) |
 //! | plans that share edges of rooms and draw no walls | `outlines: OutlineKind::Center` in the `LevelDraft`. What a file does not say is yours to choose: IMDF takes storeys of 3.6 m, walls of 0.1 m inside and 0.4 m outside, doors 2.1 m high. A door is a point on the shared edge and needs no direction; corners on a straight line are merged later |
 //! | ids of levels | any text that is unique in the building; IMDF has `level_<ordinal>`, `level_-1` below ground |
 //! | furniture that a file draws | `furniture` of the format gives `DrawnPiece`s; `edits/drawn.rs` keeps them by the words under `pieces` in `room_words.yaml` |
