@@ -24,9 +24,10 @@
 //!    `about.name` of the format, the word in the answers of `formats` and `import`; nothing in the program joins the two. Where an
 //!    unread format has that word in its name and stays unread (`.osm`), name the format otherwise, such as `osm-indoor`. Of
 //!    several words for one room the most specific decides.
-//! 4. Add a case: a folder below `tests/cases/plan_import/` with a small plan. `UPDATE_GOLDENS=1 cargo test --test plan
-//!    import` writes what is read of it into a text beside the folder, `<folder>.txt`, and fails so that somebody looks at
-//!    it. The fuzz test damages the files of the folder by itself. No test counts the cases.
+//! 4. Add a case: a folder below `tests/cases/plan_import/` with a small plan, whose buildings have ids of their own: an id that is
+//!    the name of the file must differ from those of other cases. `UPDATE_GOLDENS=1 cargo test --test plan import` writes what is
+//!    read of it into a text beside the folder, `<folder>.txt`, and fails so that somebody looks at it. The fuzz test damages the
+//!    files of the folder by itself. No test counts the cases.
 //! 5. If the format is a line of `unread.rs`, which names formats that are known and not read, delete the line, and its case in the
 //!    tests there. Keep both if some files of the format stay unread (OSM without indoor tags): readers are asked first, and a file
 //!    that none recognises is refused by its line. The test `a_format_is_read_or_not_read` fails if a word of an unread format's
