@@ -31,6 +31,8 @@ groups! {
     BATHING: "bathing";
     /// A toilet or urinal.
     TOILET: "wc";
+    /// It stands in bathrooms and is used with the door shut.
+    FIXTURE: "fixture";
     /// One cooks at it.
     COOKING: "cooking";
     /// Small enough to be carried in a hand.

@@ -117,3 +117,5 @@ pub(crate) const CELLS_OF_WAYS_A_STEP: u64 = 2;
 pub(crate) const MISSING_SHARE: f64 = 0.1;
 /// Classes of this group stand on the floor itself, not on rugs, and the tall ones take the light of a window however narrow.
 pub(crate) const STORAGE_GROUP: &str = "storage";
+/// Classes of this group stand in bathrooms, and are used with the door shut.
+pub(crate) const FIXTURE_GROUP: &str = "fixture";

@@ -10,7 +10,7 @@ use crate::walk::{Floor, Goal, Way, blocked_ways, is_in_the_way};
 
 use super::agent::State;
 use super::arrange::arrange;
-use super::constants::{CELLS_A_STEP, CELLS_OF_WAYS_A_STEP, CONTACT_TOLERANCE, WAY_ROUNDS};
+use super::constants::{CELLS_A_STEP, CELLS_OF_WAYS_A_STEP, CONTACT_TOLERANCE, FIXTURE_GROUP, WAY_ROUNDS};
 use super::environment::Environment;
 use super::furnished::RemovalReason;
 use super::locked::is_locked;
@@ -118,8 +118,8 @@ fn all_closed_ways(environment: &Environment<'_>) -> Vec<ClosedWay> {
     ways
 }
 
-/// The ways that are closed while doors stand open, on a floor on which they are shut. Where the plan leaves no way beside a leaf, none
-/// is asked for.
+/// The ways that are closed while doors stand open, on a floor on which they are shut, but for those to fixtures of bathrooms. Where the
+/// plan leaves no way beside a leaf, none is asked for.
 fn closed_ways_past_leaves(environment: &Environment<'_>, shut: &Floor) -> Vec<ClosedWay> {
     let rules = &environment.brief.catalog.audit.walking;
     let Some(leaves) = environment.brief.empty_floors.open_leaves() else { return Vec::new() };
@@ -128,7 +128,13 @@ fn closed_ways_past_leaves(environment: &Environment<'_>, shut: &Floor) -> Vec<C
     }
     let rules = WalkingRules { narrow_person: rules.person, ..*rules };
     let ways = closed_ways(environment, &rules, [&leaves.opened(shut), leaves.floor()]);
-    ways.into_iter().map(|closed| ClosedWay { is_past_leaf: true, ..closed }).collect()
+    // Who goes to a toilet or a shower shuts the door first.
+    let is_private =
+        |owner: AgentIndex| environment.class(owner).groups.iter().any(|group| group == FIXTURE_GROUP);
+    ways.into_iter()
+        .filter(|closed| !closed.owner.is_some_and(is_private))
+        .map(|closed| ClosedWay { is_past_leaf: true, ..closed })
+        .collect()
 }
 
 /// The ways to doors, and to sides that people stand at, that resting agents close on a floor; the second is that of the empty room.

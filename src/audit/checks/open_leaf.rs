@@ -1,14 +1,16 @@
 //! `open_leaf`: what stands beside a door leaf and closes, while the doors of the room stand open, as they do in the files, the way to
-//! another door or to a side of an object that is used. Whoever lives there shuts the door; who walks through the scene, or steers a
-//! robot through it, meets the leaf.
+//! another door or to a side of an object that is used, fixtures of bathrooms apart. Whoever lives there shuts the door; who walks
+//! through the scene, or steers a robot through it, meets the leaf.
 //!
 //! What a leaf closes by itself is the plan's, and what furniture closes by itself is `unreachable`.
 
 use crate::audit::evidence::Evidence;
 use crate::audit::fault::Fault;
+use crate::audit::groups::FIXTURE;
 use crate::audit::possible::Held;
 use crate::audit::quantity::Quantity;
 use crate::audit::rounding::ROUNDING;
+use crate::audit::subject::Subject;
 use crate::layout::Parent;
 
 use super::reach::{Target, goals, region, widest};
@@ -31,7 +33,8 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     let open = leaves.opened(shut);
     let walk = open.walk(rules.person);
     let home = walk.main_door();
-    let goals = goals(subject, zones, &open);
+    let mut goals = goals(subject, zones, &open);
+    goals.retain(|goal| !is_private(subject, goal));
     let mut missed: Vec<Target<'_>> =
         goals.into_iter().filter(|goal| !walk.reaches(home, goal.goal())).collect();
     if missed.is_empty() {
@@ -48,6 +51,15 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     let fault = Fault::new(Quantity::Width, subjects, width, rules.person);
     let regions = missed.iter().flat_map(|&goal| region(subject, goal)).collect();
     vec![fault.about(regions).if_possible(Held::Yes)]
+}
+
+/// Whether a goal is the side of a fixture: who goes to a toilet or a shower shuts the door first, and architects draw them beside
+/// the leaf.
+fn is_private(subject: &Subject<'_>, goal: &Target<'_>) -> bool {
+    match goal {
+        Target::Door(_) => false,
+        Target::Side(_, owner) => subject.bodies[*owner].is_in(FIXTURE),
+    }
 }
 
 #[cfg(test)]
@@ -81,6 +93,24 @@ mod tests {
         assert_eq!(corridor(false, 0.6, 0.4).count(Code::OpenLeaf), 0, "a door without a leaf");
         assert_eq!(corridor(true, 1.5, 0.4).count(Code::OpenLeaf), 0, "a metre further on");
         assert_eq!(corridor(true, 0.6, 0.2).count(Code::OpenLeaf), 0, "half a metre is left");
+    }
+
+    #[test]
+    fn who_uses_a_fixture_shuts_the_door() {
+        let findings = |is_fixture: bool| {
+            let mut room = corridor(true, 0.6, 0.4);
+            // The door with the leaf is the only one; behind the leaf and the chest is a desk that is used from the east.
+            room.level.openings.drain(..2);
+            room.level.rooms[0].openings.drain(..2);
+            room.level.rooms[0].openings[0].opening = 0;
+            let desk = room.stand("desk", at(0.375, 0.8));
+            room.placements[desk].angle = core::f64::consts::FRAC_PI_2;
+            if is_fixture {
+                room.group("desk", "fixture");
+            }
+            room.count(Code::OpenLeaf)
+        };
+        assert_eq!([false, true].map(findings), [1, 0]);
     }
 
     #[test]

@@ -39,7 +39,7 @@ const TIGHT: f64 = 9.0;
 /// have them.
 const SMALLER: f64 = 4.0;
 /// Points for filling a niche, and metres that may be left beside what fills it: a ledge with tiles, as wide as the steps between
-/// the sizes and a joint. As much as half a tight place loses; more, and wide showers take the walls of basins.
+/// the sizes and a joint. As much as half a tight place loses; the more, the more tubs stand where architects have the toilet.
 const NICHE: f64 = 4.0;
 const LEDGE: f64 = 0.11;
 
