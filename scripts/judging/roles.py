@@ -41,6 +41,8 @@ OFFICE_CHAIRS = {"office_chair"}
 TOILETS = {"toilet"}
 BASINS = {"washbasin", "hand_basin", "vanity", "row_basin"}
 TUBS = {"bathtub", "shower", "small_shower"}
+# What is put where a gap is left.
+BINS = {"bin", "basket", "laundry_basket", "stool", "plant", "small_plant"}
 
 ART = {"picture", "gallery_picture", "poster", "mirror", "vanity_mirror"}
 MIRRORS = {"mirror", "vanity_mirror"}

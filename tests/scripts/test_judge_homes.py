@@ -101,6 +101,13 @@ def seated(chairs: int) -> Judged:
     return dwelling("couple", [DOUBLE], ("dining_table", "103", (1.6, 0.9, 0.75)), *[chair] * chairs)
 
 
+def bath(kind: str, x: float, size: tuple, width: float) -> Judged:
+    """A bathroom with a tub or shower at its north wall."""
+    return house("bathroom", width, 3.0).piece(kind, x, 3.0 - size[1] / 2, "south", size)
+
+
+TUB, SHOWER = (1.7, 0.75, 0.6), (0.9, 0.9, 2.0)
+
 # By code: a room that passes, and one that fails.
 CASES = {
     "kitchen_runs": (kitchen(*RUN), kitchen(("fridge", 0.3, 0.3), ("sink_unit", 2.0, 0.3), ("cooker", 3.7, 0.3))),
@@ -110,6 +117,11 @@ CASES = {
     "kitchen_dishwasher": (kitchen(*RUN), kitchen(("sink_unit", 0.3, 0.3), ("worktop", 0.9, 0.3), ("dishwasher", 1.5, 0.3))),
     "kitchen_worktop": (kitchen(*RUN), kitchen(("sink_unit", 0.3, 0.3), ("cooker", 0.9, 0.3))),
     "kitchen_fridge_at_cooker": (kitchen(*RUN), kitchen(("fridge", 0.3, 0.3), ("cooker", 0.9, 0.3))),
+    "kitchen_end_gap": (kitchen(*RUN, width=3.0), kitchen(*RUN, width=3.3)),
+    "bath_corner": (bath("shower", 0.45, SHOWER, 3.0), bath("shower", 1.0, SHOWER, 3.0)),
+    "bath_niche": (bath("bathtub", 0.85, TUB, 1.8), bath("bathtub", 0.85, TUB, 2.0)),
+    "bed_along_wall": (house("bedroom", 3.0, 4.0).piece("single_bed", 0.45, 1.0, "north", SINGLE[1]), bedroom(3.0, 4.0, *SINGLE)),
+    "before_screen": (stand(("club_chair", 2.5, 3.0, "north", (0.8, 0.8, 0.8))), stand(("club_chair", 2.5, 3.9, "north", (0.8, 0.8, 0.8)))),
     "living_without_screen_or_corner": (living(*CORNER), living()),
     "empty_tv_stand": (stand(("tv", 2.5, 4.7, "south", TV, 0.5, "101", "tv_stand.1")), stand()),
     "sofa_past_screen": (living(("wall_tv", 2.5, 4.9, "south", TV, 1.0)), living(("wall_tv", 0.1, 0.5, "east", TV, 1.0))),

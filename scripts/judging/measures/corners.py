@@ -1,0 +1,117 @@
+"""Corners and niches: what is built in reaches the walls beside it, and who lies alone lies along a wall."""
+
+from __future__ import annotations
+
+import numpy as np
+import shapely
+
+from ..floors import Room
+from ..measure import Answer, Fault, Measure, answer
+from ..pieces import Piece
+from ..roles import BATHROOMS, BINS, SINGLE_BEDS, TUBS, TV_STANDS
+from .kitchens import units_of
+
+# Metres beside a piece within which a wall or another piece closes its side: a joint.
+JOINT = 0.04
+# Metres beside a kitchen unit, or beside a bath in a corner, that are lost: more than a joint, less than another unit is wide.
+UNIT_GAP = (0.03, 0.6)
+BATH_GAP = (0.12, 0.6)
+# Metres from the mattress to the wall: a board, and a hand that tucks in the sheet.
+BED_GAP = 0.1
+# Metres before a screen's stand that stay empty, metres of height over which a piece is in the way, and square metres of it.
+BEFORE = 0.8
+IN_THE_WAY = 0.55
+SHARE = 0.1
+FARTHEST = 3.0
+
+
+def gap(room: Room, piece: Piece, name: str) -> tuple[float, bool]:
+    """Metres from the middle of a side to what closes it, 3 at most, and whether that is a wall without an opening."""
+    start, end, outward = piece.side(name)
+    first = (start + end) / 2 + outward * 0.005
+    ray = shapely.LineString([first, first + outward * FARTHEST])
+    inside = shapely.intersection(ray, room.region)
+    metres = max((part.length for part in shapely.get_parts(inside) if part.distance(shapely.Point(first)) < JOINT), default=0.0)
+    is_wall = metres < FARTHEST - JOINT and not any(
+        shapely.LineString([side.wall.at(side.start), side.wall.at(side.end)]).distance(shapely.Point(first + outward * metres)) < JOINT
+        for _, side in room.openings(doors=True))
+    for other in room.standing:
+        if other is not piece and other.kind not in BINS:
+            met = shapely.intersection(ray, other.footprint)
+            away = shapely.Point(first).distance(met) if not met.is_empty else metres
+            metres, is_wall = (away, False) if away < metres else (metres, is_wall)
+    return metres, is_wall
+
+
+def sides(room: Room, piece: Piece) -> list[tuple[float, bool]]:
+    """The gaps at its left and right, the smaller one first."""
+    return sorted(gap(room, piece, name) for name in ("left", "right"))
+
+
+def judge_kitchen_ends(room: Room) -> Answer | None:
+    units = units_of(room)
+    if not units:
+        return None
+    faults = []
+    for unit in units:
+        for metres, is_wall in sides(room, unit):
+            if is_wall and UNIT_GAP[0] < metres < UNIT_GAP[1]:
+                faults.append(Fault(f"{metres:.2f} m of wall are lost beside it", (unit.id,), metres))
+    return answer(faults, max((fault.measured for fault in faults), default=0.0))
+
+
+def judge_bath_corners(room: Room) -> Answer | None:
+    baths = room.of(TUBS) if room.kind in BATHROOMS else []
+    if not baths:
+        return None
+    nearest = [(sides(room, bath)[0][0], bath.id) for bath in baths]
+    faults = [Fault(f"{metres:.2f} m from the corner", (name,), metres) for metres, name in nearest if metres > JOINT]
+    return answer(faults, max(metres for metres, _ in nearest))
+
+
+def judge_bath_niches(room: Room) -> Answer | None:
+    baths = room.of(TUBS) if room.kind in BATHROOMS else []
+    if not baths:
+        return None
+    faults = []
+    for bath in baths:
+        (corner, _), (metres, is_wall) = sides(room, bath)
+        if corner <= JOINT and is_wall and BATH_GAP[0] < metres < BATH_GAP[1]:
+            faults.append(Fault(f"{metres:.2f} m of the niche are left", (bath.id,), metres))
+    return answer(faults, max((fault.measured for fault in faults), default=0.0))
+
+
+def judge_beds(room: Room) -> Answer | None:
+    beds = room.of(SINGLE_BEDS | {"bunk_bed"})
+    if not beds:
+        return None
+    nearest = [(sides(room, bed)[0][0], bed.id) for bed in beds]
+    faults = [Fault(f"{metres:.2f} m from what could close a long side", (name,), metres)
+              for metres, name in nearest if metres > BED_GAP]
+    return answer(faults, max(metres for metres, _ in nearest))
+
+
+def judge_before_screens(room: Room) -> Answer | None:
+    stands = room.of(TV_STANDS)
+    if not stands:
+        return None
+    faults = []
+    for stand in stands:
+        zone = stand.zone("front", BEFORE)
+        faults += [Fault(f"it stands before {stand.id}", (piece.id,)) for piece in room.standing
+                   if piece is not stand and piece.high > IN_THE_WAY and is_in(piece, zone)]
+    return answer(faults)
+
+
+def is_in(piece: Piece, zone: shapely.Polygon) -> bool:
+    return float(np.asarray(shapely.area(shapely.intersection(piece.footprint, zone)))) > SHARE
+
+
+SOURCE = "drawn floor plans"
+MEASURES = [
+    Measure("kitchen_end_gap", "rows of units reach the walls at their ends", "m", "≤ 0.03, or ≥ 0.6", SOURCE, judge_kitchen_ends),
+    Measure("bath_corner", "tubs and showers stand in a corner", "m", "≤ 0.04", SOURCE, judge_bath_corners),
+    Measure("bath_niche", "they leave no useless rest of a niche", "m", "≤ 0.12, or ≥ 0.6", SOURCE, judge_bath_niches),
+    Measure("bed_along_wall", "a bed for one has a long side at a wall or a piece", "m", "≤ 0.1", SOURCE, judge_beds),
+    Measure("before_screen", "nothing high stands right before a television", "", "0.8 m; 0.55 m high", SOURCE, judge_before_screens),
+]
