@@ -1,6 +1,7 @@
 //! The loop of section 4: agents act according to their state until all rest or are removed.
 
 use core::cmp::Reverse;
+use core::ops::Range;
 
 use crate::catalog::Size;
 
@@ -180,12 +181,21 @@ pub(crate) fn sizes_by(
     agent: AgentIndex,
     extent: impl Fn(Size) -> f64,
 ) -> Vec<u32> {
-    let (class, piece) = (environment.class(agent), environment.agents[agent].piece);
-    let has_look = |variant: &u32| variant % class.looks == piece.variant % class.looks;
-    let mut variants: Vec<u32> = (0..class.common_variant_count()).filter(has_look).collect();
+    let class = environment.class(agent);
+    let mut variants: Vec<u32> = in_its_look(environment, agent, 0..class.common_variant_count()).collect();
     // Stable: of equal extents the lower variant comes first.
     variants.sort_by(|&a, &b| extent(class.size(b)).total_cmp(&extent(class.size(a))));
     variants
+}
+
+/// Those of some variants of an agent's class that have the look that was drawn.
+pub(crate) fn in_its_look(
+    environment: &Environment<'_>,
+    agent: AgentIndex,
+    variants: Range<u32>,
+) -> impl Iterator<Item = u32> + use<> {
+    let (looks, drawn) = (environment.class(agent).looks, environment.agents[agent].piece.variant);
+    variants.filter(move |variant| variant % looks == drawn % looks)
 }
 
 /// "We prioritize agents according to their expected depth in the hierarchy, so that the arrangement of tables

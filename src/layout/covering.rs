@@ -151,18 +151,17 @@ mod tests {
     const BED: Size = Size { width: 1.6, depth: 2.1, height: 0.5 };
     const RUG: Size = Size { width: 2.4, depth: 1.7, height: 0.012 };
 
+    fn at_zero() -> Rest {
+        let pose = Pose::new(Point::ZERO, 0.0, 0.0);
+        Rest { pose, parent: ParentPart::Floor, side: Side::Above, extent: 0.0 }
+    }
+
     fn best(under: Size, rug: Size) -> Option<Point> {
         best_under(Under { size: under, overhang: Point::splat(OVERHANG), has_chairs: false }, rug)
     }
 
     fn best_under(under: Under, rug: Size) -> Option<Point> {
-        let rest = Rest {
-            pose: Pose::new(Point::ZERO, 0.0, 0.0),
-            parent: ParentPart::Floor,
-            side: Side::Above,
-            extent: 0.0,
-        };
-        poses(&rest, under, rug).next().map(|pose| pose.position)
+        poses(&at_zero(), under, rug).next().map(|pose| pose.position)
     }
 
     #[test]
@@ -193,15 +192,9 @@ mod tests {
 
     #[test]
     fn under_a_bed_at_a_wall_a_rug_reaches_out_at_the_other_side() {
-        let rest = Rest {
-            pose: Pose::new(Point::ZERO, 0.0, 0.0),
-            parent: ParentPart::Floor,
-            side: Side::Above,
-            extent: 0.0,
-        };
         let under = Under { size: BED, overhang: Point::splat(OVERHANG), has_chairs: false };
         let mut decimetres: Vec<f64> =
-            poses(&rest, under, RUG).map(|pose| (pose.position.x * 10.0).round()).collect();
+            poses(&at_zero(), under, RUG).map(|pose| (pose.position.x * 10.0).round()).collect();
         decimetres.dedup();
         assert_eq!(decimetres, [0.0, 4.0, -4.0]);
     }

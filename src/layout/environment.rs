@@ -131,9 +131,14 @@ impl<'a> Environment<'a> {
         &self.brief.catalog.classes[self.agents[agent].piece.class]
     }
 
+    /// Whether an agent's class is in a group.
+    pub(crate) fn is_in(&self, agent: AgentIndex, group: &str) -> bool {
+        self.class(agent).groups.iter().any(|other| other == group)
+    }
+
     /// Whether an agent's class is built in.
     pub(crate) fn is_built_in(&self, agent: AgentIndex) -> bool {
-        self.class(agent).groups.iter().any(|group| group == FIXED_GROUP)
+        self.is_in(agent, FIXED_GROUP)
     }
 
     /// Whether an agent, or one that stands on it or belongs to it, is required.

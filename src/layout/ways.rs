@@ -130,9 +130,9 @@ fn closed_ways_past_leaves(environment: &Environment<'_>, shut: &Floor) -> Vec<C
     let ways = closed_ways(environment, &rules, [&leaves.opened(shut), leaves.floor()]);
     // Who goes to a toilet or a shower shuts the door first.
     let is_private =
-        |owner: AgentIndex| environment.class(owner).groups.iter().any(|group| group == FIXTURE_GROUP);
+        |closed: &ClosedWay| closed.owner.is_some_and(|owner| environment.is_in(owner, FIXTURE_GROUP));
     ways.into_iter()
-        .filter(|closed| !closed.owner.is_some_and(is_private))
+        .filter(|closed| !is_private(closed))
         .map(|closed| ClosedWay { is_past_leaf: true, ..closed })
         .collect()
 }

@@ -24,6 +24,12 @@ def test_benches_are_compiled_with_the_settings_of_releases():
     assert "bench" not in tomllib.loads((PROJECT / "Cargo.toml").read_text())["profile"]
 
 
+def test_continuous_integration_runs_every_test_program():
+    checks = (PROJECT / "scripts" / "test.sh").read_text()
+    targets = {path.stem for path in (PROJECT / "tests").glob("*.rs")} | {path.parent.name for path in (PROJECT / "tests").glob("*/main.rs")}
+    assert {target for target in targets if f"--test {target}" not in checks} == set()
+
+
 def test_the_crate_holds_what_the_program_is_built_from_and_no_more():
     """Besides the four files that cargo adds. What a checkout holds beside its files (environments, modules of Node) stays out."""
     command = ["cargo", "package", "--list", "--offline", "--allow-dirty"]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
 import shapely
 
 from ..floors import Room
@@ -21,7 +20,7 @@ BED_GAP = 0.1
 # Metres before a screen's stand that stay empty, metres of height over which a piece is in the way, and square metres of it.
 BEFORE = 0.8
 IN_THE_WAY = 0.55
-SHARE = 0.1
+LEAST = 0.1
 FARTHEST = 3.0
 
 
@@ -60,17 +59,25 @@ def judge_kitchen_ends(room: Room) -> Answer | None:
     return answer(faults, max((fault.measured for fault in faults), default=0.0))
 
 
-def judge_bath_corners(room: Room) -> Answer | None:
-    baths = room.of(TUBS) if room.kind in BATHROOMS else []
-    if not baths:
+def baths_of(room: Room) -> list[Piece]:
+    return room.of(TUBS) if room.kind in BATHROOMS else []
+
+
+def closed_at_a_side(room: Room, pieces: list[Piece], limit: float) -> Answer | None:
+    """Pieces whose nearer side is farther from a wall or piece than the limit fail."""
+    if not pieces:
         return None
-    nearest = [(sides(room, bath)[0][0], bath.id) for bath in baths]
-    faults = [Fault(f"{metres:.2f} m from the corner", (name,), metres) for metres, name in nearest if metres > JOINT]
+    nearest = [(sides(room, piece)[0][0], piece.id) for piece in pieces]
+    faults = [Fault(f"no side is closed within {metres:.2f} m", (name,), metres) for metres, name in nearest if metres > limit]
     return answer(faults, max(metres for metres, _ in nearest))
 
 
+def judge_bath_corners(room: Room) -> Answer | None:
+    return closed_at_a_side(room, baths_of(room), JOINT)
+
+
 def judge_bath_niches(room: Room) -> Answer | None:
-    baths = room.of(TUBS) if room.kind in BATHROOMS else []
+    baths = baths_of(room)
     if not baths:
         return None
     faults = []
@@ -82,13 +89,7 @@ def judge_bath_niches(room: Room) -> Answer | None:
 
 
 def judge_beds(room: Room) -> Answer | None:
-    beds = room.of(SINGLE_BEDS | {"bunk_bed"})
-    if not beds:
-        return None
-    nearest = [(sides(room, bed)[0][0], bed.id) for bed in beds]
-    faults = [Fault(f"{metres:.2f} m from what could close a long side", (name,), metres)
-              for metres, name in nearest if metres > BED_GAP]
-    return answer(faults, max(metres for metres, _ in nearest))
+    return closed_at_a_side(room, room.of(SINGLE_BEDS | {"bunk_bed"}), BED_GAP)
 
 
 def judge_before_screens(room: Room) -> Answer | None:
@@ -99,12 +100,8 @@ def judge_before_screens(room: Room) -> Answer | None:
     for stand in stands:
         zone = stand.zone("front", BEFORE)
         faults += [Fault(f"it stands before {stand.id}", (piece.id,)) for piece in room.standing
-                   if piece is not stand and piece.high > IN_THE_WAY and is_in(piece, zone)]
+                   if piece is not stand and piece.high > IN_THE_WAY and piece.footprint.intersection(zone).area > LEAST]
     return answer(faults)
-
-
-def is_in(piece: Piece, zone: shapely.Polygon) -> bool:
-    return float(np.asarray(shapely.area(shapely.intersection(piece.footprint, zone)))) > SHARE
 
 
 SOURCE = "drawn floor plans"

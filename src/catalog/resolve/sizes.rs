@@ -53,16 +53,15 @@ pub(super) fn resolve_sizes(
     check_sizes(written, &found.spot, report)
 }
 
-/// The sizes that a class falls back on. They belong to the entry that gives the sizes: a class with sizes of its
-/// own does not inherit its base's spare ones.
-pub(super) fn resolve_spare_sizes(chain: &Chain<'_, ClassEntry>, report: &mut Report<'_>) -> Vec<Size> {
-    let found = chain.find("spare_sizes", |entry| sized(entry).map(|entry| entry.spare_sizes.as_slice()));
-    found.map_or_else(Vec::new, |found| check_sizes(found.value, &found.spot, report))
-}
-
-/// The sizes that only fill niches; as with the spare ones, those of the entry that gives the sizes.
-pub(super) fn resolve_niche_sizes(chain: &Chain<'_, ClassEntry>, report: &mut Report<'_>) -> Vec<Size> {
-    let found = chain.find("niche_sizes", |entry| sized(entry).map(|entry| entry.niche_sizes.as_slice()));
+/// Sizes under a further key: those that a class falls back on, or that only fill niches. They belong to the entry that gives the
+/// sizes: a class with sizes of its own inherits none of its base's.
+pub(super) fn resolve_further_sizes(
+    chain: &Chain<'_, ClassEntry>,
+    key: &'static str,
+    written: impl Fn(&ClassEntry) -> &[[f64; 3]],
+    report: &mut Report<'_>,
+) -> Vec<Size> {
+    let found = chain.find(key, |entry| sized(entry).map(&written));
     found.map_or_else(Vec::new, |found| check_sizes(found.value, &found.spot, report))
 }
 

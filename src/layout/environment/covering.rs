@@ -35,8 +35,6 @@ impl Environment<'_> {
     }
 
     fn stands_on_rugs(&self, owner: AgentIndex) -> bool {
-        owner != ROOM
-            && !self.is_built_in(owner)
-            && !self.class(owner).groups.iter().any(|group| group == STORAGE_GROUP)
+        owner != ROOM && !self.is_built_in(owner) && !self.is_in(owner, STORAGE_GROUP)
     }
 }

@@ -9,7 +9,7 @@
 mod tests;
 
 use super::agent::State;
-use super::arrange::{area, sizes_by, take_size};
+use super::arrange::{area, in_its_look, sizes_by, take_size};
 use super::at_wall::Spot;
 use super::environment::Environment;
 use super::locked::is_locked;
@@ -196,11 +196,10 @@ fn smaller_places(environment: &mut Environment<'_>, agent: AgentIndex, stream: 
 
 /// Free places in the sizes that only fill niches, where one does: as it is built, a tub or a tray reaches from wall to wall.
 fn niche_places(environment: &mut Environment<'_>, agent: AgentIndex, stream: &mut Stream) -> Vec<Way> {
-    let (class, drawn) = (environment.class(agent), environment.agents[agent].piece.variant);
-    let has_look = |variant: &u32| variant % class.looks == drawn % class.looks;
-    let variants = (class.common_variant_count()..class.variant_count()).filter(has_look);
+    let class = environment.class(agent);
+    let in_niches = class.common_variant_count()..class.variant_count();
     let mut found = Vec::new();
-    for variant in variants {
+    for variant in in_its_look(environment, agent, in_niches) {
         take_size(environment, agent, variant);
         let mut ways = places(environment, agent, stream);
         ways.retain(|way| !way.is_poor && rules::fills_niche(environment, agent, &way.standing.place, LEDGE));

@@ -368,7 +368,7 @@ fn stands_before_window(environment: &Environment<'_>, agent: AgentIndex, place:
     let size = environment.agents[agent].size;
     // As the audit: a slim piece leaves enough of the light, but a narrow bookcase does not.
     let windows = &environment.brief.catalog.audit.windows;
-    let is_storage = environment.class(agent).groups.iter().any(|group| group == STORAGE_GROUP);
+    let is_storage = environment.is_in(agent, STORAGE_GROUP);
     let is_bookcase = is_storage && place.pose.elevation + size.height > windows.low_piece;
     if size.width.max(size.depth) < windows.slim_width && !is_bookcase {
         return false;
