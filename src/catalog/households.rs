@@ -40,6 +40,8 @@ pub struct Homes {
     pub only_room: String,
     /// The role of a second living room, which has no screen.
     pub second_living: String,
+    /// The roles of the living room of a flat whose plan names no kitchen: the first that fits.
+    pub living_with_kitchen: Vec<String>,
     /// The roles of rooms that nobody claims: the first that fits.
     pub spare: Vec<String>,
 }

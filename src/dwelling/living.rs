@@ -10,7 +10,8 @@ use super::rooms::Chamber;
 /// A room, by its index in the dwelling, and the role that it gets.
 pub(super) type Choice = (usize, String);
 
-/// The living room, where the plan names none; where it names several, all but the largest without a screen.
+/// The living room, where the plan names none; where it names several, all but the largest without a screen. Where it names no
+/// kitchen, the largest has one.
 pub(super) fn living_rooms(chambers: &[Chamber<'_>], households: &Households) -> Vec<Choice> {
     let homes = &households.homes;
     let is_living = |index: &usize| homes.living.contains(&chambers[*index].room.room_type);
@@ -20,16 +21,30 @@ pub(super) fn living_rooms(chambers: &[Chamber<'_>], households: &Households) ->
     };
     let second = slice::from_ref(&homes.second_living);
     let others = named.into_iter().filter(|&index| index != first);
-    others.filter_map(|index| role_of(chambers, index, second, households)).collect()
+    let others = others.filter_map(|index| role_of(chambers, index, second, households));
+    let open_kitchen = lacks_a_kitchen(chambers, first, households)
+        .then(|| role_of(chambers, first, &homes.living_with_kitchen, households));
+    open_kitchen.flatten().into_iter().chain(others).collect()
+}
+
+/// Whether people who have a bath and a bed besides their living room would have nowhere to cook. Without these, the dwelling goes on on
+/// another floor, and may have its kitchen there.
+fn lacks_a_kitchen(chambers: &[Chamber<'_>], living: usize, households: &Households) -> bool {
+    let homes = &households.homes;
+    let sleeps = |index: usize| index != living && chambers[index].may_sleep(households);
+    !has(chambers, &homes.kitchens) && has(chambers, &homes.bathrooms) && (0..chambers.len()).any(sleeps)
+}
+
+/// Whether the plan names a room of some types.
+fn has(chambers: &[Chamber<'_>], types: &BTreeSet<String>) -> bool {
+    chambers.iter().any(|chamber| types.contains(&chamber.room.room_type))
 }
 
 /// The living room of a plan that names none.
 fn open_living_room(chambers: &[Chamber<'_>], households: &Households) -> Option<Choice> {
     let homes = &households.homes;
-    let has =
-        |types: &BTreeSet<String>| chambers.iter().any(|chamber| types.contains(&chamber.room.room_type));
     // A floor without a kitchen is part of a dwelling that goes on elsewhere.
-    if !has(&homes.kitchens) {
+    if !has(chambers, &homes.kitchens) {
         return None;
     }
     let is_there = has_table(chambers, households);
@@ -42,7 +57,7 @@ fn open_living_room(chambers: &[Chamber<'_>], households: &Households) -> Option
     let all = || (0..chambers.len()).filter(suits);
     let first = best(all().filter(leaves_a_bedroom), score).or_else(|| best(all(), score))?;
     // Where there is no bath, people sleep on another floor.
-    let is_only = has(&homes.bathrooms) && !leaves_a_bedroom(&first);
+    let is_only = has(chambers, &homes.bathrooms) && !leaves_a_bedroom(&first);
     let only = is_only.then(|| role_of(chambers, first, slice::from_ref(&homes.only_room), households));
     only.flatten().or_else(|| role_of(chambers, first, roles, households))
 }

@@ -163,6 +163,21 @@ fn a_second_living_room_has_no_screen() {
 }
 
 #[test]
+fn people_cook_in_their_living_room_where_the_plan_names_no_kitchen() {
+    let catalog = catalog();
+    let living_room = |bath: &str, bedroom: &str, area: f64| {
+        let flat = flat(&[("corridor", 6.0), (bath, 4.0), ("living_dining", area), (bedroom, 14.0)]);
+        rooms(&flat, 1, &catalog)[2].room_type.clone()
+    };
+    assert_eq!(living_room("bathroom", "bedroom", 26.0), "living_kitchen");
+    assert_eq!(living_room("bathroom", "bedroom", 16.0), "living_dining", "no room for a row");
+    assert_eq!(living_room("bathroom", "kitchen", 26.0), "living_dining");
+    // A floor of a larger dwelling.
+    assert_eq!(living_room("toilet", "bedroom", 26.0), "living_dining");
+    assert_eq!(living_room("bathroom", "study", 26.0), "living_dining");
+}
+
+#[test]
 fn offices_hotels_and_rooms_by_themselves_are_no_dwellings() {
     let catalog = catalog();
     for others in

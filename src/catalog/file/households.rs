@@ -62,6 +62,9 @@ pub(crate) struct LivingEntry {
     pub(crate) only_room: String,
     /// A second one of the plan: without a screen.
     pub(crate) second: String,
+    /// That of a dwelling whose plan names a living room and no kitchen: the first role that fits.
+    #[serde(default)]
+    pub(crate) kitchen_is_missing: Vec<String>,
 }
 
 /// Which rooms may be furnished as a room type.

@@ -60,8 +60,11 @@ fn check_roles(files: &[(usize, HouseholdsFile)], households: &Households, repor
         }
         if let Some(living) = &homes.living_roles {
             let spot = spot.key("living_roles");
-            let lists =
-                [("table_is_missing", &living.table_is_missing), ("table_is_there", &living.table_is_there)];
+            let lists = [
+                ("table_is_missing", &living.table_is_missing),
+                ("table_is_there", &living.table_is_there),
+                ("kitchen_is_missing", &living.kitchen_is_missing),
+            ];
             for (key, roles) in lists {
                 for (index, role) in roles.iter().enumerate() {
                     check.name(ROLE, role, &spot.key(key).index(index));
@@ -124,12 +127,13 @@ impl Check<'_, '_, '_> {
             let quantity = Quantity { name: "dining_kitchen", unit: " m²", range: AREA };
             homes.dining_kitchen = quantity.check(area, &spot.key("dining_kitchen"), self.report);
         }
-        if let Some(LivingEntry { table_is_missing, table_is_there, only_room, second }) = &entry.living_roles
-        {
+        if let Some(living) = &entry.living_roles {
+            let LivingEntry { table_is_missing, table_is_there, only_room, second, kitchen_is_missing } = living;
             homes.living_with_table.clone_from(table_is_missing);
             homes.living_without_table.clone_from(table_is_there);
             homes.only_room.clone_from(only_room);
             homes.second_living.clone_from(second);
+            homes.living_with_kitchen.clone_from(kitchen_is_missing);
         }
         if let Some(spare) = &entry.spare {
             homes.spare.clone_from(spare);
