@@ -186,8 +186,8 @@ def main(arguments: list[str] | None = None) -> int:
     except OSError as error:
         print(f"validate: {error}", file=sys.stderr)
         return 2
-    if not files and not tilesets:
-        print("validate: there is no .glb, .gltf or USD file", file=sys.stderr)
+    if not files and not manifests and not tilesets:
+        print("validate: there is no manifest and no .glb, .gltf or USD file", file=sys.stderr)
         return 2
     if not SCHEMA_FOLDER.is_dir():
         print(f"validate: {SCHEMA_FOLDER} is missing; hint: install the package again, or run the script in the project's folder",

@@ -7,7 +7,7 @@ use crate::scene::{LevelBounds, Parts, Scene, SceneOptions};
 
 /// A line of the table.
 pub(crate) struct OutputFormat {
-    /// The word of `--format`, and the extension of the file to open.
+    /// The word of `--format`.
     pub(crate) name: &'static str,
     /// A description of its files, for `--help`.
     pub(crate) about: &'static str,

@@ -1,17 +1,17 @@
 //! The formats that levels are written in: a table, as the readers of plans are.
 //!
 //! To add a format:
-//! 1. Write it: a folder beside `gltf/` with a type that implements [`Output`] (`format.rs`), and its `mod` line in `lib.rs`,
-//!    in alphabetical order. `example.rs` is a complete format to copy, in a hundred lines with their test; it stays, as the copy
-//!    for the next format. `mod.rs` of the folder exports the constant of the format as `pub(crate)`, as `gltf/mod.rs` does.
-//! 2. Add its line to `table.rs`; `--format`, `--help`, the manifest and its checks follow.
-//! 3. Name it in the row of `--format` in `docs/commands.md`, and its files in the list at the beginning of `docs/output.md`; the
-//!    folder has a row in ARCHITECTURE.md. Files that are not read back end here: `audit`, `diff`, `edits capture` and the scripts
-//!    take `.glb` and `.gltf`, and `scripts/validate.py` checks what the manifest says of others.
-//! 4. Test it in its folder, as `example.rs` is; `tests/command_line/determinism.rs` has the list of runs whose files must be
-//!    equal for any number of threads: add one with your format. Until a version is released, CHANGELOG.md stays as it is.
+//! 1. Write it: a file here with a type that implements [`Output`] and a `pub(crate)` constant of [`OutputFormat`], and its `mod` line
+//!    below. `example.rs` is a complete format to copy, with its test; should yours be OBJ, move it. What takes several files
+//!    becomes a folder beside `gltf/`, with a row in ARCHITECTURE.md.
+//! 2. Add its line to `table.rs`; `--format`, `--help`, the manifest and its checks follow, and the test that formats write the same
+//!    files every time.
+//! 3. Name its files in the list at the beginning of `docs/output.md`. Files that are not read back end here: `audit`, `diff`,
+//!    `edits capture` and the scripts take `.glb` and `.gltf`, and `scripts/validate.py` checks what the manifest says of others.
+//! 4. Test it in its file, as `example.rs` is: `cargo test --lib output::`, then `cargo test --test command_line formats`. Until a
+//!    version is released, CHANGELOG.md stays as it is.
 //!
-//! `GLB` in `gltf/output.rs` is the other format to read; what follows spares reading the scene and the batch.
+//! What follows spares reading the scene and the batch; `GLB` in `gltf/output.rs` is the other format to read.
 //!
 //! A format is given a [`crate::scene::Scene`] (`scene/node.rs`, which lists all that is in it):
 //! - a tree of nodes in metres, Y up, each placed relative to its parent; mesh and material indices are valid. Node names
@@ -23,11 +23,14 @@
 //!   of plans already. `docs/output.md`, "Extras", describes them;
 //! - meshes (`mesh/model.rs`, all of whose fields `example.rs` uses): every corner has a unit normal, every triangle three indices.
 //!   Unless users ask for `--parts separate`, the walls of a room are one mesh (`walls@<room>`), and so are its other coverings;
-//! - materials (`mesh/material.rs` names the factors): colours are linear, [`crate::catalog::srgb_encoded`] makes them sRGB.
+//! - materials (`mesh/material.rs` names the factors): colours are linear, [`crate::catalog::srgb_encoded`] makes them sRGB. What lamps
+//!   give off is `emissive`; of clear glass the share `transmission` of the light passes, so that without that effect its opacity is
+//!   `base_color[3] * (1 - transmission)`.
 //!   With [`OutputFormat::shows_textures`], materials may show their colour by an image alone (`<palette>.swatches`);
 //!   without it each material has its own base colour, whatever textures the user asks for. Materials of users' models keep
 //!   the names they came with, so that several may have one name, or hold spaces: a format that refers to materials by name
 //!   makes it unique, as `example.rs` does;
+//! - its path, `<building>/<level>` in ASCII letters, digits and `. _ - % ~`: files may refer to each other by it;
 //! - the options of the user ([`LevelOptions`]). What they say of rooms and shapes has been done; a format that cannot do
 //!   what else they ask for (lights, variants, shared files) leaves it out.
 //!

@@ -186,20 +186,29 @@ fn processes_side_by_side_do_not_disturb_each_other() {
     assert_eq!(world.files("shared"), world.files("whole"));
 }
 
+/// The words of `--format`, as the program names them to who asks for another.
+fn formats(world: &World) -> Vec<String> {
+    let refused = world.run(&["bake", "--format", "no-format"]).stderr;
+    let (_, values) = refused.split_once("[possible values: ").unwrap();
+    let (values, _) = values.split_once(']').unwrap();
+    values.split(", ").map(str::to_owned).collect()
+}
+
 #[test]
-fn text_format_and_shared_library_are_the_same_every_time() {
+fn all_formats_and_the_shared_library_are_the_same_every_time() {
     let world = World::new();
     two_plans(&world);
-    for extra in [
-        &["--format", "tiles"][..],
-        &["--format", "gltf"],
-        &["--shared-library"],
-        &["--format", "gltf", "--shared-library"],
-    ] {
+    let formats = formats(&world);
+    assert!(["glb", "gltf", "web", "tiles"].iter().all(|name| formats.contains(&(*name).to_owned())));
+    let with = |format: &str| vec!["--format".to_owned(), format.to_owned()];
+    let shared = |options: Vec<String>| [options, vec!["--shared-library".to_owned()]].concat();
+    let runs = formats.iter().map(|format| with(format)).chain([shared(Vec::new()), shared(with("gltf"))]);
+    for extra in runs {
+        let extra: Vec<&str> = extra.iter().map(String::as_str).collect();
         for (folder, threads) in [("one", "1"), ("two", "5")] {
             let _ = std::fs::remove_dir_all(world.path(folder));
             let common = ["bake", "plans", "--out", folder, "--threads", threads];
-            world.must(&[&common[..], extra].concat());
+            world.must(&[&common[..], &extra].concat());
         }
         assert_eq!(world.files("one"), world.files("two"), "{extra:?}");
     }

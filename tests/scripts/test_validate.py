@@ -171,6 +171,15 @@ class TestManifest:
     def test_a_true_manifest_has_no_fault(self, manifest):
         assert self.messages(manifest) == []
 
+    def test_levels_in_a_format_that_no_script_reads_are_checked_against_it(self, manifest, capsys):
+        level = manifest.parent / "house" / "ground.glb"
+        text = level.rename(level.with_suffix(".obj"))
+        manifest.write_text(manifest.read_text().replace("ground.glb", "ground.obj"))
+        assert validate.main([str(manifest.parent), "--no-khronos"]) == 0
+        text.write_bytes(text.read_bytes() + b"o more")
+        assert validate.main([str(manifest.parent), "--no-khronos"]) == 1
+        assert "ground.obj has" in "".join(capsys.readouterr())
+
     def test_a_changed_byte_is_another_hash(self, manifest):
         file = manifest.parent / "house" / "ground.glb"
         file.write_bytes(file.read_bytes()[:-1] + b"\x07")

@@ -128,7 +128,8 @@ impl Check<'_, '_, '_> {
             homes.dining_kitchen = quantity.check(area, &spot.key("dining_kitchen"), self.report);
         }
         if let Some(living) = &entry.living_roles {
-            let LivingEntry { table_is_missing, table_is_there, only_room, second, kitchen_is_missing } = living;
+            let LivingEntry { table_is_missing, table_is_there, only_room, second, kitchen_is_missing } =
+                living;
             homes.living_with_table.clone_from(table_is_missing);
             homes.living_without_table.clone_from(table_is_there);
             homes.only_room.clone_from(only_room);

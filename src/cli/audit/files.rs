@@ -62,7 +62,9 @@ fn levels_below(folder: &Path, faults: &mut Faults) -> Result<BTreeSet<PathBuf>,
     }
     if files.is_empty() {
         let fault = Fault::of_file(folder, "holds no level: no .glb or .gltf file");
-        Err(fault.with_hint("`roomwright bake PLAN --out DIR` writes them"))
+        Err(fault.with_hint(
+            "`roomwright bake PLAN --out DIR --format glb` writes them; other formats are not read back",
+        ))
     } else {
         Ok(files)
     }
