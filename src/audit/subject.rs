@@ -197,6 +197,25 @@ impl<'a> Body<'a> {
             .map(|corner| self.place(corner))
     }
 
+    /// The floor before an upright side, `depth` metres deep and `margin` metres wider than the side at both ends: corners
+    /// counter-clockwise, the first and the last at the side.
+    pub(crate) fn strip(&self, side: Side, margin: f64, depth: f64) -> [Point; 4] {
+        let half = Point::new(self.placement.size.width, self.placement.size.depth) / 2.0;
+        // Out of the side, and how far the side lies from the middle and reaches left and right of it.
+        let (out, reach, along) = match side {
+            Side::Front => (Point::NEG_Y, half.y, half.x),
+            Side::Back => (Point::Y, half.y, half.x),
+            Side::Left => (Point::NEG_X, half.x, half.y),
+            Side::Right => (Point::X, half.x, half.y),
+            Side::Above | Side::Below => {
+                unreachable!("the catalogue allows clearances at upright sides only")
+            }
+        };
+        let along = along + margin;
+        [(reach, -along), (reach + depth, -along), (reach + depth, along), (reach, along)]
+            .map(|(out_by, along_by)| self.place(out * out_by + out.perp() * along_by))
+    }
+
     /// Whether it stands on the floor and takes some of it: rugs do not.
     pub(crate) fn is_standing(&self, rules: &AuditRules) -> bool {
         self.low() <= rules.bodies.support_gap && !self.placement.is_covering()

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::catalog::{Clearance, Side};
-use crate::geometry::{Point, Segment, direction};
+use crate::geometry::{Point, Segment};
 use crate::layout::{Parent, clearance_solids};
 use crate::plan::OpeningKind;
 
@@ -32,26 +32,13 @@ pub(crate) fn zones(subject: &Subject<'_>) -> Vec<Zone> {
 
 /// The region before a side, `depth` metres deep.
 pub(crate) fn zone(body: &Body<'_>, clearance: &Clearance, depth: f64, purpose: Purpose) -> Zone {
-    let placement = body.placement;
-    let (half_width, half_depth) = (placement.size.width / 2.0, placement.size.depth / 2.0);
-    // Out of the side, and how far the side lies from the middle and reaches left and right of it.
-    let (out, reach, half) = match clearance.side {
-        Side::Front => (Point::NEG_Y, half_depth, half_width),
-        Side::Back => (Point::Y, half_depth, half_width),
-        Side::Left => (Point::NEG_X, half_width, half_depth),
-        Side::Right => (Point::X, half_width, half_depth),
-        Side::Above | Side::Below => unreachable!("the catalogue allows clearances at upright sides only"),
-    };
-    let turn = direction(placement.angle);
-    let place = |out_by: f64, along_by: f64| {
-        placement.position + turn.rotate(out * (reach + out_by) + out.perp() * along_by)
-    };
-    let half = half + clearance.margin;
+    let elevation = body.placement.elevation;
+    let base = body.strip(clearance.side, clearance.margin, depth);
     Zone {
         purpose,
-        base: vec![place(0.0, -half), place(depth, -half), place(depth, half), place(0.0, half)],
-        heights: (placement.elevation, placement.elevation + clearance.height),
-        face: Segment::new(place(0.0, -half), place(0.0, half)),
+        heights: (elevation, elevation + clearance.height),
+        face: Segment::new(base[0], base[3]),
+        base: base.to_vec(),
     }
 }
 

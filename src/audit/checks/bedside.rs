@@ -6,9 +6,7 @@ use crate::audit::groups::BED;
 use crate::audit::possible::{Held, Question};
 use crate::audit::quantity::Quantity;
 use crate::audit::subject::{Body, Subject};
-use crate::audit::taking::{clearance_regions, zone};
-
-use crate::audit::zone::Purpose;
+use crate::audit::taking::clearance_regions;
 use crate::catalog::{Clearance, Side};
 use crate::walk::Walk;
 
@@ -49,11 +47,7 @@ fn is_double(body: &Body<'_>) -> bool {
 
 fn is_reached(subject: &Subject<'_>, walk: &Walk<'_>, bed: &Body<'_>, side: Side) -> bool {
     let depth = subject.rules().beds.other_side;
-    let strip =
-        Clearance { side, minimum: depth, good: depth, margin: 0.0, height: depth, allows_children: true };
-    // The purpose is not asked for: nothing but its outline is used.
-    let strip = zone(bed, &strip, depth, Purpose::Using(0, 0));
-    walk.enters(&strip.base)
+    walk.enters(&bed.strip(side, 0.0, depth))
 }
 
 #[cfg(test)]

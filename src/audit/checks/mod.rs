@@ -17,15 +17,15 @@
 //!    `src/catalog/audit.rs`. A new section is `name: NameRules { ... }` there, which makes the struct, and `name:` in the
 //!    file; nothing else names it. A limit may join the section that fits: layout reads the limits that it names, and no
 //!    others.
-//! 4. Renew `docs/audit.md` and the schemas: `UPDATE_GOLDENS=1 cargo test --lib -- the_page_about_the_audit
-//!    published_schemas`. Levels whose rooms have the new finding change: `UPDATE_GOLDENS=1 cargo test --test command_line
-//!    pinned`. Nothing else lists the codes: the page of `view` is sent their meanings (`src/view/site.rs`), and
+//! 4. Renew `docs/audit.md`, `docs/guide.md` and the schemas: `UPDATE_GOLDENS=1 cargo test --lib -- the_page_about_the_audit
+//!    published_schemas the_guide_lists_the_groups`. Levels whose rooms have the new finding change: `cargo test --test command_line
+//!    pinned` says so, and renews them with `UPDATE_GOLDENS=1`. Then `cargo test --lib -- audit`. Nothing else lists the codes: the page of `view` is sent their meanings (`src/view/site.rs`), and
 //!    `scripts/judge.py` has measures of its own. Until a version is released, CHANGELOG.md stays as it is.
 //!
 //! | quantity (`quantity.rs`) | unit of the figures | is |
 //! |---|---|---|
 //! | `Depth` | metres | how far something reaches into something else |
-//! | `FreeDepth` | metres | free space between a side and the nearest body before it |
+//! | `FreeDepth` | metres | free space between a side and the nearest body, column or wall before it |
 //! | `Gap` | metres | gap between a body and its support |
 //! | `Height` | metres | top of a body above the floor |
 //! | `Width` | metres | the widest disc that gets through |
@@ -38,8 +38,8 @@
 //! | a check needs | from |
 //! |---|---|
 //! | room, level, furniture that found no place | `subject.at.room`, `subject.at.level`, `subject.furnished.removals` |
-//! | objects | `subject.bodies`, in the order of the placements: `class`, `placement`, `solids` in the level's frame, `bounds`, `low()` and `high()` (metres above the floor), `is_in(groups::SEAT)`, `is_standing(rules)`, `front()` (unit vector), `corners()` (of its box: the first two at its front, the last two at its back); `placement.position` is the middle of the box |
-//! | groups of classes | constants of `audit/groups.rs`, where each has its word and meaning: `groups::SEAT`. `SCREEN` is televisions: the screen of a computer is in `computer_screen`, a group of the class files alone. A further group is one constant in `groups.rs`; the word stands in `groups:` of the classes |
+//! | objects | `subject.bodies`, in the order of the placements: `class`, `placement`, `solids` in the level's frame, `bounds`, `low()` and `high()` (metres above the floor), `is_in(groups::SEAT)`, `is_standing(rules)`, `front()` (unit vector), `corners()` (of its box: the first two at its front, the last two at its back), `strip(Side::Front, margin, depth)` (the floor before a side); `placement.position` is the middle of the box |
+//! | groups of classes | constants of `audit/groups.rs`, where each has its word and meaning: `groups::SEAT`. `SCREEN` is televisions. Groups of the class files alone are asked for by their word, as in `body.is_in("soft_seat")` (armchairs, easy chairs and sofas; `computer_screen`; others: `grep -rhow "groups: .*" configs/classes`); what several checks ask for is a line `/// Meaning.` and `NAME: "word";` of the list in `groups.rs` |
 //! | what belongs to what | `placement.parent` (`Parent::Object(index)` for what stands on or at another object; also `Floor`, `Wall(index)`, ...) and `placement.side`, the side of the parent; `subject.children(index)` of an object, directly; `subject.ancestors(index)`: the object, its parent, and so on; `subject.table_of(index)`: the table or desk that a seat stands at |
 //! | bodies near each other | `subject.near_boxes().touching(&bounds)`; for places `NearPoints` of `near.rs`. Not each body with each other: `audit/tests.rs` measures that the time of a verdict grows as the pieces do. Each body with each wall or opening is fine |
 //! | distances, in metres | `Segment::new(a, b).distance(point)`, `distance_to_convex(corners, point)`, `distance_of_convex(corners, others)` of `geometry`, 0 inside; rings have three corners or more |
@@ -51,8 +51,8 @@
 //! | doors and windows of the room | `subject.at.room.openings`: each with its `wall`, the metres `from` and `to` along it, and `opening`, the index into `subject.at.level.openings`: `kind` (`OpeningKind::Window`, `Door`, `SlidingDoor`, `Passage`, `OpenBoundary`), `bottom`, `top`, `sides`, and its middle line: `center` (halfway through the wall), `along`, `width`. A window between two rooms counts like one to the open air, in both rooms; it has two `sides`, one to the open air has one |
 //! | whether the room is in the open air | `subject.catalog.households.homes.outdoors.contains(&subject.at.room.room_type)` |
 //! | a comparison with a limit | `use crate::audit::rounding::ROUNDING;`, then `measured > limit + ROUNDING` or `measured < limit - ROUNDING`; of two limits a fault has the one that was passed |
-//! | a fault | `Fault::new(Quantity::Angle, vec![subject.object(index), Subject::wall(wall)], measured, threshold)`, figures in the unit of the quantity; also `subject.opening(index)` (of the level), `Subject::column(index)`, `subject.class(index)` (of which a piece is missing); `.about(vec![corners])` marks floor |
-//! | a room in a test | `let mut room = TestRoom::rectangle(3.0, 3.0)` (`audit/testing.rs`) with the classes `chest` (1 × 1 × 0.8 m), `stool`, `table`, `desk`, `lamp`, `picture`; `room.stand("chest", at(1.5, 0.7))` or `room.add("chest", at(1.5, 0.7), Parent::Wall(0))` give the index of an object (wall 0 is the south wall, 1 the east wall; at angle 0 fronts face south). A seat at a desk: `let stool = room.add("stool", at(1.5, 0.8), Parent::Object(desk))` at its front, then `room.placements[stool].side = Side::Front` and `.angle = PI`, so that it faces the desk, with the groups `SEAT` and `SURFACE`; `room.group("chest", groups::PLANT)`, `room.open(wall, OpeningKind::Window, (from, to), (bottom, top))`; `room.count(Code::Crooked)`, `room.audit()` |
+//! | a fault | `Fault::new(Quantity::Angle, vec![subject.object(index), Subject::wall(wall)], measured, threshold)`, figures in the unit of the quantity; also `subject.opening(index)` (of the level), `Subject::column(index)`, `subject.class(index)` (of which a piece is missing); `.about(vec![body.strip(Side::Front, 0.0, limit).to_vec()])` marks floor, a ring of corners for each region |
+//! | a room in a test | `let mut room = TestRoom::rectangle(3.0, 3.0)` (`audit/testing.rs`) with the classes `chest` (1 × 1 × 0.8 m), `stool` (0.4 × 0.4 × 0.45 m), `table`, `desk`, `lamp`, `picture`; `room.stand("chest", at(1.5, 0.7))` or `room.add("chest", at(1.5, 0.7), Parent::Wall(0))` give the index of an object (wall 0 is the south wall, 1 the east wall; at angle 0 fronts face south). A seat at a desk: `let stool = room.add("stool", at(1.5, 0.8), Parent::Object(desk))` at its front, then `room.placements[stool].side = Side::Front` and `.angle = PI`, so that it faces the desk, with the groups `SEAT` and `SURFACE`; `room.group("chest", groups::PLANT)`, `room.open(wall, OpeningKind::Window, (from, to), (bottom, top))`; `room.count(Code::Crooked)`, `room.audit()` |
 
 mod access;
 mod bare;
