@@ -107,6 +107,8 @@ thresholds! {
         approach_depth: Metres,
         /// Approach before an edge without a wall.
         open_boundary_depth: Metres,
+        /// What of it need not stay free at either end of such an edge, along it.
+        open_boundary_end: Metres,
         /// Depth at which a body stands in a door's way.
         intrusion: Metres,
     }
@@ -229,6 +231,14 @@ pub(crate) struct AuditFile {
     pub(crate) version: FormatVersion,
     /// The thresholds by what they are about.
     pub(crate) thresholds: written::Thresholds,
+}
+
+impl DoorRules {
+    /// Metres at each end of an edge without a wall that need not stay free. Between them as much does as before a door.
+    #[must_use]
+    pub fn free_ends(&self, width: f64) -> f64 {
+        self.open_boundary_end.min((width - self.approach_depth) / 2.0).max(0.0)
+    }
 }
 
 impl Default for AuditRules {

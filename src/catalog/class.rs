@@ -420,6 +420,8 @@ pub enum FittedPart {
     Tall,
     /// Hangs on the wall over the row, in one line.
     WallUnit,
+    /// Closes what a row leaves to the wall at its end: a panel.
+    Filler,
 }
 
 impl FittedPart {
@@ -434,6 +436,7 @@ impl FittedPart {
             Self::Corner => "corner",
             Self::Tall => "tall",
             Self::WallUnit => "wall_unit",
+            Self::Filler => "filler",
         }
     }
 }

@@ -156,7 +156,10 @@ impl<'a> Surroundings<'a> {
         match opening.kind {
             OpeningKind::Window => Vec::new(),
             // Nobody turns a handle there: less depth (metres) than before a door is enough to walk by.
-            OpeningKind::OpenBoundary => vec![strip(rules.doors.open_boundary_depth, 0.0)],
+            OpeningKind::OpenBoundary => {
+                let ends = rules.doors.free_ends(side.to - side.from);
+                vec![strip(rules.doors.open_boundary_depth, -ends)]
+            }
             OpeningKind::Door | OpeningKind::SlidingDoor | OpeningKind::Passage => {
                 // As the audit measures it: no deeper than the door is wide. Deeper would empty small bathrooms.
                 let depth = rules.doors.approach_depth.min(side.to - side.from);

@@ -45,11 +45,15 @@ pub(crate) fn swings(at: RoomRef<'_>, rules: DoorRules) -> impl Iterator<Item = 
 /// The box before an opening: as deep as the opening is wide, at most the rule's depth.
 fn approach(wall: &Wall, place: &RoomOpening, opening: &Opening, rules: DoorRules) -> Zone {
     let is_open = opening.kind == OpeningKind::OpenBoundary;
-    let most = if is_open { rules.open_boundary_depth } else { rules.approach_depth };
+    let (most, ends) = if is_open {
+        (rules.open_boundary_depth, rules.free_ends(place.to - place.from))
+    } else {
+        (rules.approach_depth, 0.0)
+    };
     // A hatch of half a metre needs half a metre before it; people who carry things need no more before wide doors.
     let inward = wall.normal() * opening.width.min(most);
-    let start = wall.start + wall.direction() * place.from;
-    let end = wall.start + wall.direction() * place.to;
+    let start = wall.start + wall.direction() * (place.from + ends);
+    let end = wall.start + wall.direction() * (place.to - ends);
     Zone {
         purpose: Purpose::Passing(place.opening),
         base: vec![start, end, end + inward, start + inward],

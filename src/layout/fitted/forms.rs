@@ -82,13 +82,13 @@ fn around(walls: &[Wall], legs: &[Leg], corner: f64) -> Option<Form> {
     let mut legs = legs.to_vec();
     for place in 1..legs.len() {
         let (before, after) = (legs[place - 1], legs[place]);
-        legs[place - 1].to = walls[before.wall].length() - after.before - corner;
-        legs[place].from = before.before + corner;
+        legs[place - 1] = before.part(before.from, walls[before.wall].length() - after.before - corner);
+        legs[place] = after.part(before.before + corner, after.to);
     }
     if let [first, .., last] = legs.as_mut_slice() {
         let most = |leg: &Leg| if leg.is_bar() { LONGEST_BAR } else { f64::INFINITY };
-        first.from = first.from.max(first.to - most(first));
-        last.to = last.to.min(last.from + most(last));
+        *first = first.part(first.from.max(first.to - most(first)), first.to);
+        *last = last.part(last.from, last.to.min(last.from + most(last)));
     }
     let is_long = legs.iter().all(|leg| leg.length() >= LEAST_LEG);
     let bars = legs.iter().filter(|leg| leg.is_bar()).count();
@@ -152,14 +152,15 @@ fn before(walls: &[Wall], leg: &Leg, bar: &Leg) -> Option<Leg> {
     let (open, faced) = (&walls[bar.wall], stretch(walls, leg));
     let along = |point: Point| (point - open.start).dot(open.direction());
     let (one, other) = (along(faced.start), along(faced.end));
-    let mut part = Leg { from: bar.from.max(one.min(other)), to: bar.to.min(one.max(other)), ..*bar };
-    if bar.from <= AT_CORNER && part.from < PASSAGE {
-        part.from = bar.from;
+    let (mut from, mut to) = (bar.from.max(one.min(other)), bar.to.min(one.max(other)));
+    if bar.from <= AT_CORNER && from < PASSAGE {
+        from = bar.from;
     }
     let length = open.length();
-    if bar.to >= length - AT_CORNER && length - part.to < PASSAGE {
-        part.to = bar.to;
+    if bar.to >= length - AT_CORNER && length - to < PASSAGE {
+        to = bar.to;
     }
+    let part = bar.part(from, to);
     (part.length() >= LEAST_BAR).then_some(part)
 }
 

@@ -19,7 +19,7 @@ pub(super) fn hang(environment: &mut Environment<'_>, units: &Units, row: &Row) 
     let Some(elevation) = elevation(environment, unit.agent) else { return };
     for (wall, _) in row.walls().into_iter().filter(|(_, is_bar)| !is_bar) {
         for &(from, to) in stretches(environment, units, row, wall, elevation).as_slice() {
-            let mut stretch = Leg { wall, from, to, before: 0.0 };
+            let mut stretch = Leg::open(wall, (from, to));
             while let Some(end) = hang_one(environment, unit, &stretch, elevation) {
                 stretch.from = end;
                 match hanging.next() {

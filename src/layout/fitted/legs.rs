@@ -2,7 +2,7 @@
 
 use crate::catalog::{FittedPart, Size};
 use crate::layout::environment::Environment;
-use crate::layout::rules::{Line, free_stretches};
+use crate::layout::rules::{Line, closings, free_stretches};
 use crate::layout::seed::Stream;
 use crate::plan::{OpeningKind, RoomOpening, WallKind};
 
@@ -16,6 +16,8 @@ pub(super) const LEAST_BAR: f64 = 1.2;
 const PAST_OPENING: f64 = 0.3;
 /// Metres by which a stretch may miss the corner that it ends in.
 pub(super) const AT_CORNER: f64 = 0.01;
+/// Metres between a row and a wall that are a joint.
+pub(super) const JOINT: f64 = 0.03;
 /// Metres of an open side that a bar leaves where it is the only way in: a main walkway (HUD: 0.91).
 pub(super) const PASSAGE: f64 = 0.9;
 
@@ -30,9 +32,28 @@ pub(super) struct Leg {
     pub(super) to: f64,
     /// Metres from the wall to the backs of the units: those before an open side leave the floor there free.
     pub(super) before: f64,
+    /// Metres past its start and past its end to what closes it; infinite where nothing does, or a unit in a corner.
+    pub(super) beyond: [f64; 2],
 }
 
 impl Leg {
+    /// A stretch whose ends nothing closes.
+    pub(super) fn open(wall: usize, (from, to): (f64, f64)) -> Self {
+        Self { wall, from, to, before: 0.0, beyond: [f64::INFINITY; 2] }
+    }
+
+    /// A part of it; an end that moves is no longer closed.
+    pub(super) fn part(&self, from: f64, to: f64) -> Self {
+        let beyond = |moved: f64, beyond: f64| if moved.abs() < AT_CORNER { beyond } else { f64::INFINITY };
+        let [start, end] = self.beyond;
+        Self { from, to, beyond: [beyond(from - self.from, start), beyond(to - self.to, end)], ..*self }
+    }
+
+    /// Whether its start and its end are at what closes them.
+    pub(super) fn is_closed(&self) -> [bool; 2] {
+        self.beyond.map(|metres| metres < JOINT)
+    }
+
     /// Metres along it.
     pub(super) fn length(&self) -> f64 {
         self.to - self.from
@@ -56,9 +77,13 @@ pub(super) fn free_legs(environment: &Environment<'_>, units: &Units, stream: &m
     let mut along = |wall: usize, before: f64| {
         let line = Line { agent: model.agent, size, wall, before_opening: before };
         let free = free_stretches(environment, &line, stream).into_iter();
-        free.map(|(from, to)| Leg { wall, from, to, before })
+        let mut legs: Vec<Leg> = free
+            .map(|ends| Leg { before, ..Leg::open(wall, ends) })
             .filter(|leg| leg.length() >= LEAST_LEG)
-            .collect::<Vec<_>>()
+            .collect();
+        let closings = if legs.is_empty() { Vec::new() } else { closings(environment, &line) };
+        legs.iter_mut().for_each(|leg| leg.beyond = beyond(leg, &closings));
+        legs
     };
     let mut legs: Vec<Leg> = solid().flat_map(|wall| along(wall, 0.0)).collect();
     let depth = environment.brief.catalog.audit.doors.open_boundary_depth;
@@ -70,6 +95,13 @@ pub(super) fn free_legs(environment: &Environment<'_>, units: &Units, stream: &m
     legs
 }
 
+/// Metres past the ends of a stretch to what closes them.
+fn beyond(leg: &Leg, closings: &[(f64, f64)]) -> [f64; 2] {
+    let before = closings.iter().map(|&(_, to)| leg.from - to).filter(|metres| *metres > -AT_CORNER);
+    let after = closings.iter().map(|&(from, _)| from - leg.to).filter(|metres| *metres > -AT_CORNER);
+    [before.fold(f64::INFINITY, f64::min).max(0.0), after.fold(f64::INFINITY, f64::min).max(0.0)]
+}
+
 fn is_open(environment: &Environment<'_>, side: &RoomOpening) -> bool {
     environment.brief.surroundings.level.openings[side.opening].kind == OpeningKind::OpenBoundary
 }
@@ -78,11 +110,10 @@ fn is_open(environment: &Environment<'_>, side: &RoomOpening) -> bool {
 /// begins there, else with a passage at either end.
 fn bars(environment: &Environment<'_>, side: &RoomOpening, free: &Leg) -> Vec<Leg> {
     let room = environment.brief.surroundings.room;
-    let whole = Leg {
-        from: free.from.max(side.from - PAST_OPENING),
-        to: free.to.min(side.to + PAST_OPENING).min(room.walls[side.wall].length()),
-        ..*free
-    };
+    let whole = free.part(
+        free.from.max(side.from - PAST_OPENING),
+        free.to.min(side.to + PAST_OPENING).min(room.walls[side.wall].length()),
+    );
     let ends = |side: &RoomOpening| {
         let wall = &room.walls[side.wall];
         [side.from, side.to].map(|metres| wall.start + wall.direction() * metres)
@@ -97,8 +128,8 @@ fn bars(environment: &Environment<'_>, side: &RoomOpening, free: &Leg) -> Vec<Le
         vec![whole]
     } else {
         vec![
-            Leg { from: whole.from.max(side.from + PASSAGE), ..whole },
-            Leg { to: whole.to.min(side.to - PASSAGE), ..whole },
+            whole.part(whole.from.max(side.from + PASSAGE), whole.to),
+            whole.part(whole.from, whole.to.min(side.to - PASSAGE)),
         ]
     };
     found.into_iter().filter(|bar| bar.length() >= LEAST_BAR).collect()

@@ -28,6 +28,7 @@ use super::environment::Environment;
 use super::furnished::RemovalReason;
 use super::place::{AgentIndex, Place};
 use super::seed::{Purpose, RoomKey, Stream};
+use crate::catalog::FittedPart;
 use forms::{Form, forms_around_corners, forms_in_two_parts, forms_with_bars, straight_forms};
 use points::Judge;
 use rows::{Row, Standing, rows_in};
@@ -57,7 +58,7 @@ struct Plan {
 pub(crate) fn settle_fitted(environment: &mut Environment<'_>, key: &RoomKey) {
     let units = Units::of(environment, Depth::Usual);
     if units.is_no_row() || has_suggestion(environment, &units) {
-        return;
+        return leave_out_fillers(environment, &units);
     }
     let slim = Units::of(environment, Depth::Slim);
     let stream = |name: &str| key.stream(Purpose::Placement, name, 0);
@@ -67,7 +68,10 @@ pub(crate) fn settle_fitted(environment: &mut Environment<'_>, key: &RoomKey) {
         let slim = slim.map(|plan| Plan { points: plan.points - points::SLIM, ..plan });
         best = better(best, slim);
     }
-    let Some(Plan { units, row, .. }) = best else { return take_drawn_sizes(environment, &units) };
+    let Some(Plan { units, row, .. }) = best else {
+        take_drawn_sizes(environment, &units);
+        return leave_out_fillers(environment, &units);
+    };
     settle_row(environment, &units, &row);
     hanging::hang(environment, &units, &row);
     leave_out_others(environment, &units);
@@ -197,6 +201,13 @@ fn take_place(environment: &mut Environment<'_>, units: &Units, standing: &Stand
 fn take_drawn_sizes(environment: &mut Environment<'_>, units: &Units) {
     for unit in units.indices().map(|index| units.unit(index)) {
         take_size(environment, unit.agent, unit.widths[0].variant);
+    }
+}
+
+/// Fillers close gaps of rows: where units search by themselves there is no row.
+fn leave_out_fillers(environment: &mut Environment<'_>, units: &Units) {
+    for (_, unit) in units.of_part(FittedPart::Filler) {
+        environment.agents[unit.agent].state = State::Removed(RemovalReason::NoPlace);
     }
 }
 

@@ -14,8 +14,8 @@ use crate::layout::surroundings::Surroundings;
 use crate::plan::{OpeningKind, PIPES_TAG, Room};
 
 use super::forms::{Form, Joint};
-use super::legs::AT_CORNER;
-use super::rows::{ROUNDING, Row, Standing, metres_between};
+use super::legs::{AT_CORNER, JOINT, Leg};
+use super::rows::{ROUNDING, Row, Standing, USEFUL, metres_between};
 use super::units::{Unit, Units};
 
 /// Points by which chance moves a row: of rows that are equally good a seed takes one. Larger: more variety, and more rows with
@@ -39,6 +39,8 @@ const TIGHT: f64 = 1.6;
 pub(super) const SLIM: f64 = 0.6;
 /// Points for each end of a row that is an end of its stretch of wall.
 const FLUSH: f64 = 0.3;
+/// Points lost for each end of a row that leaves wall of no use beside it: more than chance gives, less than space is worth.
+const USELESS: f64 = 1.0;
 /// Points for a row with something tall that stands at such an end.
 const TALL_AT_END: f64 = 0.7;
 /// Points lost for each leg at an outer wall: windows and heating are there.
@@ -93,6 +95,7 @@ impl<'a> Judge<'a> {
         };
         each.sum::<f64>() + between_points(units, form, row) + self.ends_points(units, form, row) + parts
             - OUTER_WALL * outer as f64
+            - useless_points(form, row)
             - on_bar_points(units, row)
             - warmed_points(units, row)
             - alone_points(units, row)
@@ -197,6 +200,19 @@ fn around_corner(form: &Form, one: &Standing, other: &Standing) -> f64 {
         (are_here && fronts > MEETS).then_some(fronts + after.from - before.before)
     });
     fronts.fold(0.0, f64::max)
+}
+
+/// Points lost for wall of no use at the ends of legs.
+fn useless_points(form: &Form, row: &Row) -> f64 {
+    let is_useless = |metres: f64| metres > JOINT && metres < USEFUL;
+    let ends = |leg: &Leg| {
+        let here = || row.standings.iter().filter(|standing| standing.is_along(leg));
+        let from = here().map(Standing::from).fold(f64::INFINITY, f64::min);
+        let to = here().map(Standing::to).fold(f64::NEG_INFINITY, f64::max);
+        let [before, after] = leg.beyond;
+        [before + from - leg.from, after + leg.to - to].into_iter().filter(|gap| is_useless(*gap)).count()
+    };
+    USELESS * form.legs.iter().map(ends).sum::<usize>() as f64
 }
 
 /// Points lost by what does not belong on a bar: a hob, which has no hood there, and what is tall.

@@ -3,7 +3,7 @@
 use crate::catalog::FittedPart;
 
 use super::forms::{Form, Joint};
-use super::legs::Leg;
+use super::legs::{JOINT, Leg};
 use super::units::{Unit, Units, Width};
 use crate::layout::at_wall::Spot;
 
@@ -13,10 +13,14 @@ const BETWEEN: f64 = 1.2;
 /// given up: a pot and a board; the narrowest unit.
 const ENOUGH_BETWEEN: f64 = 0.6;
 const LEAST_BETWEEN: f64 = 0.3;
+/// Metres of it at most: one carries pots farther than that.
+const MOST_BETWEEN: f64 = 1.8;
 /// Metres of worktop on the other side of the hob that are wanted; NKBA asks for 0.38 m.
 const LANDING: f64 = 0.6;
 /// Metres of the second part of a row in two parts at most: a fridge with worktops.
 const SECOND_PART: f64 = 1.25;
+/// Metres of wall beside a row that are of use: for a bin, a broom, a narrow shelf.
+pub(super) const USEFUL: f64 = 0.6;
 /// Metres between two corners that no unit is narrow enough for.
 const PANEL: f64 = 0.15;
 /// Metres by which units may be wider than their stretch together: rounding.
@@ -119,11 +123,8 @@ pub(super) fn rows_in(units: &Units, form: &Form) -> Vec<Row> {
 
 /// Rows from the one end of a stretch and from the other.
 fn add_straight(units: &Units, leg: &Leg, slots: &[Slot], rows: &mut Vec<Row>) {
-    let Some(lane) = Lane::pack(units, slots, leg.length(), 0) else { return };
-    rows.extend(row(units, lane.from(leg, 0.0)));
-    if lane.left > ROUNDING {
-        rows.extend(row(units, lane.from(leg, lane.left)));
-    }
+    let Some(lane) = Lane::pack(units, slots, leg.length(), Taken::default()) else { return };
+    rows.extend(lane.ways(leg).into_iter().filter_map(|standings| row(units, standings)));
 }
 
 /// Rows that turn at each place of their order, once for each corner; legs begin at corners.
@@ -155,7 +156,7 @@ fn in_corner(((after, before), (unit, corner)): ((&Leg, &Leg), (usize, &Unit))) 
 
 /// The units of each part of an order along its leg; `None` if they do not fit.
 fn along_legs(units: &Units, legs: &[Leg], parts: &[&[Slot]]) -> Option<Vec<Standing>> {
-    let (mut standings, mut taken) = (Vec::new(), 0);
+    let (mut standings, mut taken) = (Vec::new(), Taken::default());
     let is_tall = |packed: Option<&Packed>| {
         packed.is_none_or(|packed| units.unit(packed.unit).part == FittedPart::Tall)
     };
@@ -170,7 +171,10 @@ fn along_legs(units: &Units, legs: &[Leg], parts: &[&[Slot]]) -> Option<Vec<Stan
         if !is_first && !is_last && lane.left > PANEL {
             return None;
         }
-        taken = lane.worktops;
+        taken = lane.taken;
+        let [starts_closed, ends_closed] = leg.is_closed();
+        let is_filled = if is_first { starts_closed } else { ends_closed || !is_last };
+        let lane = lane.filled(is_filled.then_some(if is_first { End::Start } else { End::End }));
         standings.extend(lane.from(leg, if is_first { lane.left } else { 0.0 }));
     }
     Some(standings)
@@ -180,22 +184,19 @@ fn along_legs(units: &Units, legs: &[Leg], parts: &[&[Slot]]) -> Option<Vec<Stan
 fn add_parts(units: &Units, first: &Leg, second: &Leg, slots: &[Slot], rows: &mut Vec<Row>) {
     let turns = [slots.len() - 2, slots.len() - 1];
     for turn in turns.into_iter().filter(|&turn| !parts_water(slots, turn)) {
-        let Some(one) = Lane::pack(units, &slots[..turn], first.length(), 0) else { continue };
-        // The second part is short, for the table needs the other walls, but a bar is no wall.
-        let most = if second.is_bar() { f64::INFINITY } else { SECOND_PART };
-        let metres = second.length().min(most);
-        let Some(two) = Lane::pack(units, &slots[turn..], metres, one.worktops) else { continue };
-        let left = second.length() - metres + two.left;
+        let Some(one) = Lane::pack(units, &slots[..turn], first.length(), Taken::default()) else { continue };
+        // The second part is short, for the table needs the other walls, but a bar is no wall, and what is left is of use.
+        let is_short = second.is_bar() || second.length() < SECOND_PART + USEFUL;
+        let metres = if is_short { second.length() } else { SECOND_PART };
+        let Some(two) = Lane::pack(units, &slots[turn..], metres, one.taken) else { continue };
         if one.packed.is_empty() || two.packed.is_empty() {
             continue;
         }
+        let two = Lane { left: second.length() - metres + two.left, ..two };
         let turned = Lane { packed: two.packed.iter().rev().copied().collect(), ..two };
-        for (before, after) in [(0.0, 0.0), (one.left, 0.0), (0.0, left), (one.left, left)] {
-            for two in [&two, &turned] {
-                let mut standings = one.from(first, before);
-                standings.extend(two.from(second, after));
-                rows.extend(row(units, standings));
-            }
+        let seconds: Vec<Vec<Standing>> = [&two, &turned].iter().flat_map(|lane| lane.ways(second)).collect();
+        for one in one.ways(first) {
+            rows.extend(seconds.iter().filter_map(|two| row(units, [one.as_slice(), two].concat())));
         }
     }
 }
@@ -228,53 +229,84 @@ pub(super) fn metres_between(units: &Units, standings: &[Standing]) -> Option<f6
 struct Packed {
     unit: usize,
     width: Width,
+    part: FittedPart,
+}
+
+/// How many units of which a row has several are used up.
+#[derive(Clone, Copy, Debug, Default)]
+struct Taken {
+    worktops: usize,
+    fillers: usize,
+}
+
+/// An end of a stretch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum End {
+    Start,
+    End,
 }
 
 /// Units side by side along one stretch.
+#[derive(Clone)]
 struct Lane {
     packed: Vec<Packed>,
-    /// How many worktops are used up, with those of earlier lanes.
-    worktops: usize,
+    /// The panel that closes what is left to a joint, if there is one.
+    filler: Option<Packed>,
+    /// What is used up, with that of earlier lanes.
+    taken: Taken,
     /// Metres of the stretch that are left.
     left: f64,
 }
 
 impl Lane {
-    /// Packs the units of some slots into so many metres, after the first worktops that others took. `None` if what is
-    /// required does not fit.
-    fn pack(units: &Units, slots: &[Slot], metres: f64, worktops: usize) -> Option<Self> {
+    /// Packs the units of some slots into so many metres, after those that others took. `None` if what is required does not
+    /// fit.
+    fn pack(units: &Units, slots: &[Slot], metres: f64, taken: Taken) -> Option<Self> {
         let metres = metres + ROUNDING;
         let fixed = fixed_units(units, slots, metres)?;
         let used: f64 = fixed.iter().map(|packed| packed.width.metres).sum();
-        let mut shelf = Worktops { units, taken: worktops, left: metres - used };
-        let mut tops = vec![Vec::new(); slots.len()];
-        let has = |slot: Slot| slots.contains(&slot);
-        let wants_landing = has(Slot::Landing) && has(Slot::Hob);
-        for (index, slot) in slots.iter().enumerate() {
-            if *slot == Slot::Between {
-                let has_enough = shelf.left >= ENOUGH_BETWEEN + LEAST_BETWEEN;
-                let reserved = if wants_landing && has_enough { LEAST_BETWEEN } else { 0.0 };
-                // A corner between sink and hob is worktop already.
-                let wanted = if has(Slot::Sink) && has(Slot::Hob) { BETWEEN } else { LANDING };
-                tops[index] = shelf.take(wanted.min(shelf.left - reserved));
-            }
-        }
-        for (index, slot) in slots.iter().enumerate() {
-            if *slot == Slot::Landing && wants_landing {
-                tops[index] = shelf.take(LANDING);
-            }
-        }
-        if let Some(index) = slots.iter().rposition(|slot| *slot == Slot::Rest) {
-            tops[index] = shelf.take(f64::INFINITY);
-        }
-        let (left, worktops) = (shelf.left.max(0.0), shelf.taken);
-        let mut packed = Vec::with_capacity(fixed.len() + worktops);
+        let mut shelf = Worktops { units, taken: taken.worktops, left: metres - used };
+        let tops = shelf.stock(slots);
+        let left = shelf.left.max(0.0);
+        let filler = filler(units, left, taken.fillers);
+        let taken = Taken {
+            worktops: shelf.taken,
+            fillers: taken.fillers + usize::from(filler.is_some()),
+        };
+        let mut packed = Vec::with_capacity(fixed.len() + taken.worktops + 1);
         for (slot, tops) in slots.iter().zip(tops) {
-            let of_slot = fixed.iter().filter(|packed| slot_of(units.unit(packed.unit).part) == Some(*slot));
-            packed.extend(of_slot.copied());
+            packed.extend(fixed.iter().filter(|packed| slot_of(packed.part) == Some(*slot)));
             packed.extend(tops);
         }
-        Some(Self { packed, worktops, left })
+        Some(Self { packed, filler, taken, left })
+    }
+
+    /// The ways in which the units stand along a leg: from its start, and from its end; where both are closed and the filler
+    /// fits, with it at either.
+    fn ways(&self, leg: &Leg) -> Vec<Vec<Standing>> {
+        if self.filler.is_some() && leg.is_closed() == [true, true] {
+            return [End::Start, End::End].map(|end| self.filled(Some(end)).from(leg, 0.0)).into();
+        }
+        let mut ways = vec![self.from(leg, 0.0)];
+        if self.left > ROUNDING {
+            ways.push(self.from(leg, self.left));
+        }
+        ways
+    }
+
+    /// The units with their filler at an end: between what is tall there and the others, for one looks at a wall beside it.
+    fn filled(&self, end: Option<End>) -> Self {
+        let mut lane = self.clone();
+        let (Some(end), Some(filler)) = (end, self.filler) else { return lane };
+        let is_tall = |packed: Option<&Packed>| packed.is_some_and(|packed| packed.part == FittedPart::Tall);
+        let count = lane.packed.len();
+        let at = match end {
+            End::Start => usize::from(is_tall(lane.packed.first())),
+            End::End => count - usize::from(is_tall(lane.packed.last())),
+        };
+        lane.packed.insert(at, filler);
+        lane.left -= filler.width.metres;
+        lane
     }
 
     /// The units where they stand if the first begins so many metres after the start of the stretch.
@@ -291,13 +323,24 @@ impl Lane {
     }
 }
 
+/// The next filler in the width that leaves no more than a joint of some metres; `None` where none does.
+fn filler(units: &Units, left: f64, taken: usize) -> Option<Packed> {
+    let (unit, panel) = units.of_part(FittedPart::Filler).nth(taken)?;
+    let width = panel.widest_within(left)?;
+    let part = FittedPart::Filler;
+    (left - width.metres < JOINT).then_some(Packed { unit, width, part })
+}
+
 /// The units of some slots that are no worktops, as wide as they fit together: as drawn, else narrow, else without those
 /// beside the sink, else without the tall ones, else without a hob that nobody requires.
 fn fixed_units(units: &Units, slots: &[Slot], metres: f64) -> Option<Vec<Packed>> {
     let is_here = |unit: &Unit| slot_of(unit.part).is_some_and(|slot| slots.contains(&slot));
     let indices = units.indices().filter(|&index| is_here(units.unit(index)));
-    let mut packed: Vec<Packed> =
-        indices.map(|unit| Packed { unit, width: units.unit(unit).widths[0] }).collect();
+    let as_drawn = |unit: usize| {
+        let Unit { part, widths, .. } = units.unit(unit);
+        Packed { unit, width: widths[0], part: *part }
+    };
+    let mut packed: Vec<Packed> = indices.map(as_drawn).collect();
     // At a corner, too, it begins beside the sink or the hob that is nearer.
     let has = |slot: &Slot| slots.contains(slot);
     let has_worktop = has(&Slot::Between) && (has(&Slot::Sink) || has(&Slot::Hob));
@@ -335,7 +378,7 @@ fn slot_of(part: FittedPart) -> Option<Slot> {
         FittedPart::BesideSink => Some(Slot::Beside),
         FittedPart::Hob => Some(Slot::Hob),
         FittedPart::Tall => Some(Slot::Tall),
-        FittedPart::Worktop | FittedPart::Corner | FittedPart::WallUnit => None,
+        FittedPart::Worktop | FittedPart::Corner | FittedPart::WallUnit | FittedPart::Filler => None,
     }
 }
 
@@ -347,16 +390,72 @@ struct Worktops<'a> {
 }
 
 impl Worktops<'_> {
+    /// The worktops of each slot: first those that are needed between sink and hob and beside it, then those for the rest.
+    fn stock(&mut self, slots: &[Slot]) -> Vec<Vec<Packed>> {
+        let mut tops = vec![Vec::new(); slots.len()];
+        let has = |slot: Slot| slots.contains(&slot);
+        let wants_landing = has(Slot::Landing) && has(Slot::Hob);
+        // A corner between sink and hob is worktop already.
+        let is_between = has(Slot::Sink) && has(Slot::Hob);
+        for (index, slot) in slots.iter().enumerate() {
+            if *slot == Slot::Between {
+                let has_enough = self.left >= ENOUGH_BETWEEN + LEAST_BETWEEN;
+                let reserved = if wants_landing && has_enough { LEAST_BETWEEN } else { 0.0 };
+                let wanted = if is_between { BETWEEN } else { LANDING };
+                tops[index] = self.take(wanted.min(self.left - reserved));
+            }
+        }
+        for (index, slot) in slots.iter().enumerate() {
+            if *slot == Slot::Landing && wants_landing {
+                tops[index] = self.take(LANDING);
+            }
+        }
+        if let Some(index) = slots.iter().rposition(|slot| *slot == Slot::Rest) {
+            tops[index] = self.take(f64::INFINITY);
+        }
+        if self.left < USEFUL {
+            let most = |slot: &Slot| match slot {
+                Slot::Between if is_between => MOST_BETWEEN,
+                Slot::Between => 0.0,
+                _ => f64::INFINITY,
+            };
+            let limits: Vec<f64> = slots.iter().map(most).collect();
+            while self.widen(&mut tops, &limits) {}
+        }
+        tops
+    }
+
     /// Takes worktops for so many metres at most, as wide as they are made.
     fn take(&mut self, metres: f64) -> Vec<Packed> {
         let mut metres = metres.min(self.left);
         let mut taken = Vec::new();
         while let Some((unit, worktop)) = self.units.of_part(FittedPart::Worktop).nth(self.taken) {
             let Some(width) = worktop.width_within(metres + ROUNDING) else { break };
-            taken.push(Packed { unit, width });
+            taken.push(Packed { unit, width, part: FittedPart::Worktop });
             (metres, self.left) = (metres - width.metres, self.left - width.metres);
             self.taken += 1;
         }
         taken
+    }
+
+    /// Makes the worktop wider that closes most of what is left, each slot up to its metres; whether there was one.
+    fn widen(&mut self, tops: &mut [Vec<Packed>], limits: &[f64]) -> bool {
+        let mut best: Option<(f64, usize, usize, Width)> = None;
+        for (slot, packed) in tops.iter().enumerate() {
+            let used: f64 = packed.iter().map(|packed| packed.width.metres).sum();
+            for (place, one) in packed.iter().enumerate() {
+                let most = self.left.min(limits[slot] - used) + one.width.metres;
+                let wider = self.units.unit(one.unit).widest_within(most + ROUNDING);
+                let gain = wider.map_or(0.0, |width| width.metres - one.width.metres);
+                // Of equal ones the first, so that the order of the row decides.
+                if let Some(width) = wider && gain > best.map_or(ROUNDING, |best| best.0 + ROUNDING) {
+                    best = Some((gain, slot, place, width));
+                }
+            }
+        }
+        let Some((gain, slot, place, width)) = best else { return false };
+        tops[slot][place].width = width;
+        self.left -= gain;
+        true
     }
 }

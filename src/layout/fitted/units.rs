@@ -49,6 +49,12 @@ impl Unit {
         self.widths.iter().copied().find(|width| width.metres <= metres)
     }
 
+    /// The widest width that fits, whatever was drawn.
+    pub(super) fn widest_within(&self, metres: f64) -> Option<Width> {
+        let fitting = self.widths.iter().copied().filter(|width| width.metres <= metres);
+        fitting.max_by(|a, b| a.metres.total_cmp(&b.metres))
+    }
+
     /// The narrowest width.
     pub(super) fn narrowest(&self) -> Width {
         let narrowest = self.widths.iter().copied().min_by(|a, b| a.metres.total_cmp(&b.metres));
@@ -80,7 +86,8 @@ impl Units {
     /// Whether there is nothing to make a row of: it begins with a sink or a hob and holds more than that.
     pub(super) fn is_no_row(&self) -> bool {
         let has = |part| self.units.iter().any(|unit| unit.part == part);
-        let low = self.units.iter().filter(|unit| unit.part != FittedPart::WallUnit).count();
+        let is_low = |unit: &&Unit| !matches!(unit.part, FittedPart::WallUnit | FittedPart::Filler);
+        let low = self.units.iter().filter(is_low).count();
         low < 2 || !(has(FittedPart::Sink) || has(FittedPart::Hob))
     }
 

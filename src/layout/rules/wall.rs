@@ -73,6 +73,34 @@ pub(crate) fn free_stretches(
     free.as_slice().iter().map(|&(from, to)| (from - strip.half, to + strip.half)).collect()
 }
 
+/// What closes the sides of a box that stands along a wall, as ranges of metres from the wall's start: walls and bodies that come
+/// into the middle half of its depth. Sides are open where an edge has no wall.
+pub(crate) fn closings(environment: &Environment<'_>, line: &Line) -> Vec<(f64, f64)> {
+    let Line { size, wall: index, before_opening, .. } = *line;
+    let wall = &environment.brief.surroundings.room.walls[index];
+    let (along, normal) = (wall.direction(), wall.normal());
+    let middle = (wall.start + wall.end) / 2.0 + normal * (before_opening + size.depth / 2.0);
+    // Past the ends of the wall, too: the walls there are what closes most rows.
+    let half = Point::new(wall.length() / 2.0 + SNAP_DISTANCE, size.depth / 4.0);
+    let region = Solid::new(Convex::rectangle(middle, half, along), 0.0, size.height);
+    let start = wall.start.dot(along);
+    let mut closings = Vec::new();
+    environment.each_obstacle(&region, |solid, is_flat| {
+        let (low, high) = solid.base.project(along);
+        if !is_flat {
+            closings.push((low - start, high - start));
+        }
+    });
+    let (near, far) = region.base.project(normal);
+    environment.each_border(&region, |border| {
+        let range = clip(border.segment, along, near, far);
+        if border.wall != index && !border.is_open && let Some((from, to)) = range {
+            closings.push((from - start, to - start));
+        }
+    });
+    closings
+}
+
 /// Poses all along a wall, in a fixed order. What is free is asked of each: the free stretches leave out the whole
 /// width of what only reaches into them.
 pub(super) fn scan(view: &View<'_>, wall: usize, stream: &mut Stream, poses: &mut Vec<Pose>) {

@@ -82,10 +82,11 @@ fn kitchen(draft: &Draft) -> Kitchen {
     }
 }
 
-/// A base unit of a kitchen: carcass, toe kick, front and top; with a `sink`, a `hob`, an `oven` or `drawers`.
+/// A base unit of a kitchen: carcass, toe kick, front and top; with a `sink`, a `hob`, an `oven` or `drawers`, or a
+/// `filler` between a unit and a wall.
 /// Handleless, with framed fronts, an open frame of steel, or of thin board with an edge strip.
 pub(super) static WORKTOP: Recipe = Recipe::furniture("worktop", [0.9, 0.6, 0.9])
-    .with(&[("drawers", 0.0), ("hob", 0.0), ("oven", 0.0), ("sink", 0.0)])
+    .with(&[("drawers", 0.0), ("filler", 0.0), ("hob", 0.0), ("oven", 0.0), ("sink", 0.0)])
     .symbol_where("sink", Symbol::Basin)
     .every_set(worktop);
 
@@ -110,6 +111,9 @@ fn worktop(draft: &Draft, builder: &mut Builder) {
     if draft.is_set("hob") {
         hob(draft, builder, top);
     }
+    if draft.is_set("filler") {
+        return filler(builder, &kitchen, bay.with_y([0.0, top.low.y + SINK]));
+    }
     if draft.set() == GeometrySet::Industrial && !draft.is_set("oven") {
         open_unit(draft, builder, &kitchen, bay.with_y([0.0, top.low.y + SINK]));
         return;
@@ -126,6 +130,18 @@ fn worktop(draft: &Draft, builder: &mut Builder) {
         kitchen.fittings.carcass(builder, kitchen.carcass, body);
     }
     unit_fronts(draft, builder, &kitchen.fittings, body);
+}
+
+/// A panel in line with the fronts, over a toe kick.
+fn filler(builder: &mut Builder, kitchen: &Kitchen, bay: Bay) {
+    let toe = TOE[0].min(bay.height() * 0.2);
+    let front = bay.without(Side::Front, kitchen.fittings.reach);
+    let thickness = kitchen.fittings.depth() - kitchen.fittings.reach;
+    builder.cuboid(kitchen.fittings.front, front.with_y([toe, bay.high.y]).slab(Side::Front, thickness));
+    builder.cuboid(
+        Slot::PlasticDark,
+        bay.with_y([0.0, toe + SINK]).without(Side::Front, TOE[1]).slab(Side::Front, thickness),
+    );
 }
 
 /// The worktop: chamfered, moulded, or with an edge strip.
