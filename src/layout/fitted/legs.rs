@@ -16,6 +16,8 @@ pub(super) const LEAST_BAR: f64 = 1.2;
 const PAST_OPENING: f64 = 0.3;
 /// Metres by which a stretch may miss the corner that it ends in.
 pub(super) const AT_CORNER: f64 = 0.01;
+/// Metres of wall beside a row that are of use: for a bin, a broom, a narrow shelf.
+pub(super) const USEFUL: f64 = 0.6;
 /// Metres between a row and a wall that are a joint.
 pub(super) const JOINT: f64 = 0.03;
 /// Metres of an open side that a bar leaves where it is the only way in: a main walkway (HUD: 0.91).
@@ -52,6 +54,12 @@ impl Leg {
     /// Whether its start and its end are at what closes them.
     pub(super) fn is_closed(&self) -> [bool; 2] {
         self.beyond.map(|metres| metres < JOINT)
+    }
+
+    /// The same where nothing is farther off than a joint.
+    pub(super) fn without_gaps(&self) -> Self {
+        let beyond = self.beyond.map(|metres| if metres < JOINT { metres } else { f64::INFINITY });
+        Self { beyond, ..*self }
     }
 
     /// Metres along it.
@@ -110,9 +118,12 @@ fn is_open(environment: &Environment<'_>, side: &RoomOpening) -> bool {
 /// begins there, else with a passage at either end.
 fn bars(environment: &Environment<'_>, side: &RoomOpening, free: &Leg) -> Vec<Leg> {
     let room = environment.brief.surroundings.room;
+    let length = room.walls[side.wall].length();
+    // Less wall than is of use belongs to the bar.
+    let past = |left: f64| if left < USEFUL { left } else { PAST_OPENING };
     let whole = free.part(
-        free.from.max(side.from - PAST_OPENING),
-        free.to.min(side.to + PAST_OPENING).min(room.walls[side.wall].length()),
+        free.from.max(side.from - past(side.from)),
+        free.to.min(side.to + past(length - side.to)).min(length),
     );
     let ends = |side: &RoomOpening| {
         let wall = &room.walls[side.wall];

@@ -14,8 +14,8 @@ use crate::layout::surroundings::Surroundings;
 use crate::plan::{OpeningKind, PIPES_TAG, Room};
 
 use super::forms::{Form, Joint};
-use super::legs::{AT_CORNER, JOINT, Leg};
-use super::rows::{ROUNDING, Row, Standing, USEFUL, metres_between};
+use super::legs::{AT_CORNER, JOINT, Leg, USEFUL};
+use super::rows::{ROUNDING, Row, Standing, metres_between};
 use super::units::{Unit, Units};
 
 /// Points by which chance moves a row: of rows that are equally good a seed takes one. Larger: more variety, and more rows with
@@ -104,7 +104,12 @@ impl<'a> Judge<'a> {
     fn points_of_unit(&self, units: &Units, standing: &Standing) -> f64 {
         let unit = units.unit(standing.unit);
         // A kitchen that has room for a hob is there to cook, however small.
-        let value = if unit.is_fill && unit.part != FittedPart::Hob { FILL } else { UNIT };
+        let value = match unit.part {
+            FittedPart::Filler => 0.0,
+            FittedPart::Hob => UNIT,
+            _ if unit.is_fill => FILL,
+            _ => UNIT,
+        };
         let is_sink = unit.part == FittedPart::Sink;
         let has_pipes = self.room.walls[standing.spot.wall].tags.iter().any(|tag| tag == PIPES_TAG);
         value + self.window_points(unit, standing) + if is_sink && has_pipes { SINK_AT_PIPES } else { 0.0 }
@@ -206,10 +211,12 @@ fn around_corner(form: &Form, one: &Standing, other: &Standing) -> f64 {
 fn useless_points(form: &Form, row: &Row) -> f64 {
     let is_useless = |metres: f64| metres > JOINT && metres < USEFUL;
     let ends = |leg: &Leg| {
-        let here = || row.standings.iter().filter(|standing| standing.is_along(leg));
+        let [before, after] = leg.beyond;
+        // With the filler that goes on past an end.
+        let reached = Leg { from: leg.from - if before < USEFUL { before } else { 0.0 }, ..*leg };
+        let here = || row.standings.iter().filter(|standing| standing.is_along(&reached));
         let from = here().map(Standing::from).fold(f64::INFINITY, f64::min);
         let to = here().map(Standing::to).fold(f64::NEG_INFINITY, f64::max);
-        let [before, after] = leg.beyond;
         [before + from - leg.from, after + leg.to - to].into_iter().filter(|gap| is_useless(*gap)).count()
     };
     USELESS * form.legs.iter().map(ends).sum::<usize>() as f64

@@ -3,8 +3,8 @@
 use crate::catalog::FittedPart;
 
 use super::forms::{Form, Joint};
-use super::legs::{JOINT, Leg};
-use super::units::{Unit, Units, Width};
+use super::legs::{JOINT, Leg, USEFUL};
+use super::units::{Unit, Units, Width, widest_within};
 use crate::layout::at_wall::Spot;
 
 /// Metres of worktop between sink and hob that are wanted where there is room: NKBA asks for 0.91 m of preparation area.
@@ -19,8 +19,6 @@ const MOST_BETWEEN: f64 = 1.8;
 const LANDING: f64 = 0.6;
 /// Metres of the second part of a row in two parts at most: a fridge with worktops.
 const SECOND_PART: f64 = 1.25;
-/// Metres of wall beside a row that are of use: for a bin, a broom, a narrow shelf.
-pub(super) const USEFUL: f64 = 0.6;
 /// Metres between two corners that no unit is narrow enough for.
 const PANEL: f64 = 0.15;
 /// Metres by which units may be wider than their stretch together: rounding.
@@ -124,19 +122,24 @@ pub(super) fn rows_in(units: &Units, form: &Form) -> Vec<Row> {
 /// Rows from the one end of a stretch and from the other.
 fn add_straight(units: &Units, leg: &Leg, slots: &[Slot], rows: &mut Vec<Row>) {
     let Some(lane) = Lane::pack(units, slots, leg.length(), Taken::default()) else { return };
-    rows.extend(lane.ways(leg).into_iter().filter_map(|standings| row(units, standings)));
+    rows.extend(lane.ways(units, leg).into_iter().filter_map(|standings| row(units, standings)));
 }
 
 /// Rows that turn at each place of their order, once for each corner; legs begin at corners.
 fn add_around_corners(units: &Units, legs: &[Leg], slots: &[Slot], rows: &mut Vec<Row>) {
     let corners: Vec<Standing> = legs[1..].iter().zip(legs).zip(units.corners()).map(in_corner).collect();
+    // The room may refuse a filler that goes on past an end.
+    let plain: Vec<Leg> = legs.iter().map(Leg::without_gaps).collect();
+    let plain = (plain != legs).then_some(plain);
     for first in (1..slots.len()).filter(|&turn| !parts_water(slots, turn)) {
         let seconds = if legs.len() > 2 { first + 1..slots.len() } else { slots.len()..slots.len() + 1 };
         for second in seconds.filter(|&turn| !parts_water(slots, turn)) {
             let parts = [&slots[..first], &slots[first..second], &slots[second..]];
-            let Some(mut standings) = along_legs(units, legs, &parts) else { continue };
-            standings.splice(0..0, corners.iter().copied());
-            rows.extend(row(units, standings));
+            for legs in [Some(legs), plain.as_deref()].into_iter().flatten() {
+                let Some(mut standings) = along_legs(units, legs, &parts) else { continue };
+                standings.splice(0..0, corners.iter().copied());
+                rows.extend(row(units, standings));
+            }
         }
     }
 }
@@ -172,10 +175,10 @@ fn along_legs(units: &Units, legs: &[Leg], parts: &[&[Slot]]) -> Option<Vec<Stan
             return None;
         }
         taken = lane.taken;
-        let [starts_closed, ends_closed] = leg.is_closed();
-        let is_filled = if is_first { starts_closed } else { ends_closed || !is_last };
-        let lane = lane.filled(is_filled.then_some(if is_first { End::Start } else { End::End }));
-        standings.extend(lane.from(leg, if is_first { lane.left } else { 0.0 }));
+        let end = if is_first { End::Start } else { End::End };
+        let closed = if is_first || is_last { *leg } else { Leg { beyond: [0.0; 2], ..*leg } };
+        let plain = || lane.from(leg, if is_first { lane.left } else { 0.0 });
+        standings.extend(lane.filled(units, &closed, end, lane.left).unwrap_or_else(plain));
     }
     Some(standings)
 }
@@ -194,8 +197,9 @@ fn add_parts(units: &Units, first: &Leg, second: &Leg, slots: &[Slot], rows: &mu
         }
         let two = Lane { left: second.length() - metres + two.left, ..two };
         let turned = Lane { packed: two.packed.iter().rev().copied().collect(), ..two };
-        let seconds: Vec<Vec<Standing>> = [&two, &turned].iter().flat_map(|lane| lane.ways(second)).collect();
-        for one in one.ways(first) {
+        let seconds: Vec<Vec<Standing>> =
+            [&two, &turned].iter().flat_map(|lane| lane.ways(units, second)).collect();
+        for one in one.ways(units, first) {
             rows.extend(seconds.iter().filter_map(|two| row(units, [one.as_slice(), two].concat())));
         }
     }
@@ -250,8 +254,8 @@ enum End {
 #[derive(Clone)]
 struct Lane {
     packed: Vec<Packed>,
-    /// The panel that closes what is left to a joint, if there is one.
-    filler: Option<Packed>,
+    /// The next panel that closes what is left, by index.
+    panel: Option<usize>,
     /// What is used up, with that of earlier lanes.
     taken: Taken,
     /// Metres of the stretch that are left.
@@ -268,45 +272,53 @@ impl Lane {
         let mut shelf = Worktops { units, taken: taken.worktops, left: metres - used };
         let tops = shelf.stock(slots);
         let left = shelf.left.max(0.0);
-        let filler = filler(units, left, taken.fillers);
-        let taken = Taken {
-            worktops: shelf.taken,
-            fillers: taken.fillers + usize::from(filler.is_some()),
-        };
+        let panel = units.of_part(FittedPart::Filler).nth(taken.fillers).map(|(unit, _)| unit);
+        let taken = Taken { worktops: shelf.taken, fillers: taken.fillers + 1 };
         let mut packed = Vec::with_capacity(fixed.len() + taken.worktops + 1);
         for (slot, tops) in slots.iter().zip(tops) {
             packed.extend(fixed.iter().filter(|packed| slot_of(packed.part) == Some(*slot)));
             packed.extend(tops);
         }
-        Some(Self { packed, filler, taken, left })
+        Some(Self { packed, panel, taken, left })
     }
 
-    /// The ways in which the units stand along a leg: from its start, and from its end; where both are closed and the filler
-    /// fits, with it at either.
-    fn ways(&self, leg: &Leg) -> Vec<Vec<Standing>> {
-        if self.filler.is_some() && leg.is_closed() == [true, true] {
-            return [End::Start, End::End].map(|end| self.filled(Some(end)).from(leg, 0.0)).into();
+    /// The ways in which the units stand along a leg: with a filler at an end that is closed, else from its start, and from its
+    /// end.
+    fn ways(&self, units: &Units, leg: &Leg) -> Vec<Vec<Standing>> {
+        let [starts_closed, ends_closed] = leg.is_closed();
+        let rest = |is_other_closed: bool| if is_other_closed { self.left } else { 0.0 };
+        let at_start = self.filled(units, leg, End::Start, rest(ends_closed));
+        let at_end = self.filled(units, leg, End::End, rest(starts_closed));
+        // The room may refuse a filler that goes on past an end.
+        let is_sure = starts_closed && ends_closed && (at_start.is_some() || at_end.is_some());
+        let mut ways: Vec<Vec<Standing>> = [at_start, at_end].into_iter().flatten().collect();
+        if !is_sure {
+            ways.push(self.from(leg, 0.0));
         }
-        let mut ways = vec![self.from(leg, 0.0)];
-        if self.left > ROUNDING {
+        if !is_sure && self.left > ROUNDING {
             ways.push(self.from(leg, self.left));
         }
         ways
     }
 
-    /// The units with their filler at an end: between what is tall there and the others, for one looks at a wall beside it.
-    fn filled(&self, end: Option<End>) -> Self {
-        let mut lane = self.clone();
-        let (Some(end), Some(filler)) = (end, self.filler) else { return lane };
+    /// The units with their filler at an end of a leg, beside which so many metres of what is left lie; `None` where it closes
+    /// nothing. It stands between what is tall at the end and the others, for a wall is no good neighbour of a low panel; but
+    /// where something comes into the depth of the row at its end, the filler goes on past that, to the wall.
+    fn filled(&self, units: &Units, leg: &Leg, end: End, rest: f64) -> Option<Vec<Standing>> {
+        let (unit, beyond) = (self.panel?, leg.beyond[end as usize]);
+        let is_past = beyond >= JOINT;
+        let panel = units.unit(unit);
+        let (widths, gap) = if is_past { (&panel.slim, rest + beyond) } else { (&panel.widths, rest) };
+        let width = widest_within(widths, gap + ROUNDING).filter(|width| gap - width.metres < JOINT)?;
         let is_tall = |packed: Option<&Packed>| packed.is_some_and(|packed| packed.part == FittedPart::Tall);
-        let count = lane.packed.len();
-        let at = match end {
-            End::Start => usize::from(is_tall(lane.packed.first())),
-            End::End => count - usize::from(is_tall(lane.packed.last())),
+        let (count, is_inside) = (self.packed.len(), !is_past && self.packed.len() > 1);
+        let (at, offset) = match end {
+            End::Start => (usize::from(is_inside && is_tall(self.packed.first())), rest - width.metres),
+            End::End => (count - usize::from(is_inside && is_tall(self.packed.last())), self.left - rest),
         };
-        lane.packed.insert(at, filler);
-        lane.left -= filler.width.metres;
-        lane
+        let mut lane = self.clone();
+        lane.packed.insert(at, Packed { unit, width, part: FittedPart::Filler });
+        Some(lane.from(leg, offset))
     }
 
     /// The units where they stand if the first begins so many metres after the start of the stretch.
@@ -321,14 +333,6 @@ impl Lane {
         };
         self.packed.iter().map(stand).collect()
     }
-}
-
-/// The next filler in the width that leaves no more than a joint of some metres; `None` where none does.
-fn filler(units: &Units, left: f64, taken: usize) -> Option<Packed> {
-    let (unit, panel) = units.of_part(FittedPart::Filler).nth(taken)?;
-    let width = panel.widest_within(left)?;
-    let part = FittedPart::Filler;
-    (left - width.metres < JOINT).then_some(Packed { unit, width, part })
 }
 
 /// The units of some slots that are no worktops, as wide as they fit together: as drawn, else narrow, else without those
@@ -445,10 +449,12 @@ impl Worktops<'_> {
             let used: f64 = packed.iter().map(|packed| packed.width.metres).sum();
             for (place, one) in packed.iter().enumerate() {
                 let most = self.left.min(limits[slot] - used) + one.width.metres;
-                let wider = self.units.unit(one.unit).widest_within(most + ROUNDING);
+                let wider = widest_within(&self.units.unit(one.unit).widths, most + ROUNDING);
                 let gain = wider.map_or(0.0, |width| width.metres - one.width.metres);
                 // Of equal ones the first, so that the order of the row decides.
-                if let Some(width) = wider && gain > best.map_or(ROUNDING, |best| best.0 + ROUNDING) {
+                if let Some(width) = wider
+                    && gain > best.map_or(ROUNDING, |best| best.0 + ROUNDING)
+                {
                     best = Some((gain, slot, place, width));
                 }
             }

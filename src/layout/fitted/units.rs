@@ -28,6 +28,12 @@ pub(super) struct Width {
     pub(super) variant: u32,
 }
 
+/// The widest of some widths that fits, whatever was drawn.
+pub(super) fn widest_within(widths: &[Width], metres: f64) -> Option<Width> {
+    let fitting = widths.iter().copied().filter(|width| width.metres <= metres);
+    fitting.max_by(|a, b| a.metres.total_cmp(&b.metres))
+}
+
 /// An agent that stands in a row.
 #[derive(Clone, Debug)]
 pub(super) struct Unit {
@@ -37,6 +43,8 @@ pub(super) struct Unit {
     pub(super) part: FittedPart,
     /// The width that was drawn, then the others, widest first.
     pub(super) widths: Vec<Width>,
+    /// The slim ones of a filler, which pass what comes into the depth of a row at its end; empty for others.
+    pub(super) slim: Vec<Width>,
     /// Whether the room is wrong without it.
     pub(super) is_required: bool,
     /// Whether it only fills what wall is left.
@@ -47,12 +55,6 @@ impl Unit {
     /// The width that was drawn if it fits, else the widest that does.
     pub(super) fn width_within(&self, metres: f64) -> Option<Width> {
         self.widths.iter().copied().find(|width| width.metres <= metres)
-    }
-
-    /// The widest width that fits, whatever was drawn.
-    pub(super) fn widest_within(&self, metres: f64) -> Option<Width> {
-        let fitting = self.widths.iter().copied().filter(|width| width.metres <= metres);
-        fitting.max_by(|a, b| a.metres.total_cmp(&b.metres))
     }
 
     /// The narrowest width.
@@ -137,7 +139,11 @@ impl Units {
 fn unit(environment: &Environment<'_>, agent: AgentIndex, part: FittedPart, depth: Depth) -> Unit {
     let (class, piece) = (environment.class(agent), environment.agents[agent].piece);
     let mut variants = sizes_by(environment, agent, |size| size.width);
-    let is_of_depth = |&variant: &u32| (class.size(variant).depth <= SLIM) == (depth == Depth::Slim);
+    let is_slim = |variant: u32| class.size(variant).depth <= SLIM;
+    let width = |variant: u32| Width { metres: class.size(variant).width, variant };
+    let is_filler = part == FittedPart::Filler;
+    let slim = variants.iter().copied().filter(|&variant| is_filler && is_slim(variant)).map(width).collect();
+    let is_of_depth = |&variant: &u32| is_slim(variant) == (depth == Depth::Slim);
     // What is made in one of the depths only, as wall units are, goes with both.
     if variants.iter().any(is_of_depth) {
         variants.retain(is_of_depth);
@@ -146,7 +152,6 @@ fn unit(environment: &Environment<'_>, agent: AgentIndex, part: FittedPart, dept
     let drawn = class.size(piece.variant).width;
     let is_other_width = |variant: u32| class.size(variant).width.total_cmp(&drawn).is_ne();
     variants.sort_by_key(|&variant| (variant != piece.variant, is_other_width(variant)));
-    let widths =
-        variants.into_iter().map(|variant| Width { metres: class.size(variant).width, variant }).collect();
-    Unit { agent, part, widths, is_required: piece.is_required, is_fill: piece.is_fill }
+    let widths = variants.into_iter().map(width).collect();
+    Unit { agent, part, widths, slim, is_required: piece.is_required, is_fill: piece.is_fill }
 }

@@ -94,7 +94,10 @@ pub(crate) fn closings(environment: &Environment<'_>, line: &Line) -> Vec<(f64, 
     let (near, far) = region.base.project(normal);
     environment.each_border(&region, |border| {
         let range = clip(border.segment, along, near, far);
-        if border.wall != index && !border.is_open && let Some((from, to)) = range {
+        if border.wall != index
+            && !border.is_open
+            && let Some((from, to)) = range
+        {
             closings.push((from - start, to - start));
         }
     });
