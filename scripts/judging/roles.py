@@ -14,7 +14,7 @@ ISLANDS = {"kitchen_island"}
 # What carries a worktop between sink and cooker.
 WORKTOPS = {"worktop", "prep_worktop", "landing_worktop", "corner_unit", "kitchen_unit", "filler_unit"} | DISHWASHERS
 APPLIANCES = COOKERS | FRIDGES | DISHWASHERS
-KITCHEN_UNITS = SINKS | APPLIANCES | ISLANDS | WORKTOPS | {"oven_tower", "tall_unit", "larder", "end_panel", "filler_panel"}
+KITCHEN_UNITS = SINKS | APPLIANCES | ISLANDS | WORKTOPS | {"oven_tower", "tall_unit", "larder", "end_panel"}
 
 TABLES = {"kitchen_table", "dining_table", "large_dining_table", "small_table", "folding_table", "bistro_table", "cafe_table",
           "round_table", "restaurant_table", "table_for_two", "garden_table", "terrace_table", "reading_table", "bar_table",

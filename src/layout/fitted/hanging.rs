@@ -1,8 +1,9 @@
 //! Wall units over a row: in one line, flush with each other, beside the hood.
 
 use crate::catalog::{FittedPart, ParentName};
-use crate::geometry::Intervals;
+use crate::geometry::{Convex, Intervals, Point, Solid};
 use crate::layout::arrange::take_size;
+use crate::layout::constants::CONTACT_TOLERANCE;
 use crate::layout::environment::Environment;
 use crate::layout::place::AgentIndex;
 use crate::plan::OpeningKind;
@@ -79,5 +80,27 @@ fn stretches(
             free.subtract(side.from, side.to);
         }
     }
+    if let Some((_, unit)) = units.of_part(FittedPart::WallUnit).next() {
+        subtract_lights(environment, &line_of(environment, unit, wall, elevation), wall, &mut free);
+    }
     free
+}
+
+/// What wall units would fill all along a wall.
+fn line_of(environment: &Environment<'_>, unit: &Unit, wall: usize, elevation: f64) -> Solid {
+    let (part, size) =
+        (&environment.brief.surroundings.room.walls[wall], environment.agents[unit.agent].size);
+    let middle = (part.start + part.end) / 2.0 + part.normal() * (size.depth / 2.0);
+    let half = Point::new(part.length() / 2.0, size.depth / 2.0);
+    Solid::new(Convex::rectangle(middle, half, part.direction()), elevation, elevation + size.height)
+}
+
+/// Leaves out the stretches of a line along a wall that are before windows, also those of the walls beside it.
+fn subtract_lights(environment: &Environment<'_>, line: &Solid, wall: usize, free: &mut Intervals) {
+    let surroundings = environment.brief.surroundings;
+    let (start, along) = (surroundings.room.walls[wall].start, surroundings.room.walls[wall].direction());
+    for strip in surroundings.window_strips.iter().filter(|strip| line.overlaps(strip, CONTACT_TOLERANCE)) {
+        let (low, high) = strip.base.project(along);
+        free.subtract(low - start.dot(along), high - start.dot(along));
+    }
 }

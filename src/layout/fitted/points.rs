@@ -55,8 +55,10 @@ const HOB_ON_BAR: f64 = 6.0;
 const TALL_ON_BAR: f64 = 1.5;
 /// Points lost by something tall that stands by itself.
 const TALL_ALONE: f64 = 4.0;
-/// Points lost by a fridge right beside the hob, which warms it.
+/// Points lost by a fridge right beside the hob, which warms it, and the metres that keep it cool: the narrowest unit does, a
+/// filler does not.
 const TALL_AT_HOB: f64 = 3.0;
+const COOL: f64 = 0.15;
 /// Metres within which ends meet.
 const MEETS: f64 = 0.02;
 
@@ -106,7 +108,7 @@ impl<'a> Judge<'a> {
         // A kitchen that has room for a hob is there to cook, however small.
         let value = match unit.part {
             FittedPart::Filler => 0.0,
-            FittedPart::Hob => UNIT,
+            FittedPart::Hob | FittedPart::BesideSink => UNIT,
             _ if unit.is_fill => FILL,
             _ => UNIT,
         };
@@ -236,7 +238,9 @@ fn on_bar_points(units: &Units, row: &Row) -> f64 {
 /// Points lost by tall units beside the hob.
 fn warmed_points(units: &Units, row: &Row) -> f64 {
     let of = |part| row.standings.iter().filter(move |standing| units.unit(standing.unit).part == part);
-    let warmed = of(FittedPart::Tall).filter(|tall| of(FittedPart::Hob).any(|hob| touch(tall, hob)));
+    let is_warm =
+        |tall: &Standing, hob: &Standing| apart(tall, hob).is_some_and(|metres| metres < COOL - ROUNDING);
+    let warmed = of(FittedPart::Tall).filter(|tall| of(FittedPart::Hob).any(|hob| is_warm(tall, hob)));
     TALL_AT_HOB * warmed.count() as f64
 }
 
@@ -247,8 +251,13 @@ fn alone_points(units: &Units, row: &Row) -> f64 {
     TALL_ALONE * alone.count() as f64
 }
 
+/// Metres between two units at one wall; below zero where they overlap.
+fn apart(a: &Standing, b: &Standing) -> Option<f64> {
+    let is_one_line = a.spot.wall == b.spot.wall && a.is_bar() == b.is_bar();
+    is_one_line.then(|| (a.from() - b.to()).max(b.from() - a.to()))
+}
+
 /// Whether two units stand side by side at one wall.
 fn touch(a: &Standing, b: &Standing) -> bool {
-    let is_one_line = a.spot.wall == b.spot.wall && a.is_bar() == b.is_bar();
-    is_one_line && ((a.to() - b.from()).abs() < MEETS || (b.to() - a.from()).abs() < MEETS)
+    apart(a, b).is_some_and(|metres| metres.abs() < MEETS)
 }
