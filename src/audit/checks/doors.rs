@@ -137,6 +137,7 @@ fn approaches(zones: &[Zone], opening: usize) -> Vec<FloorRegion> {
 mod tests {
     use crate::audit::Code;
     use crate::audit::testing::{TestRoom, at};
+    use crate::catalog::AuditRules;
     use crate::plan::{Leaf, OpeningKind};
 
     /// A chest of one metre, its near edge `gap` metres from wall 0, before the middle of the door.
@@ -177,6 +178,13 @@ mod tests {
         assert_eq!(chest_before(OpeningKind::OpenBoundary, 0.31).count(Code::DoorBlocked), 0);
         assert_eq!(chest_before(OpeningKind::OpenBoundary, 0.25).count(Code::DoorBlocked), 1);
         assert_eq!(chest_before(OpeningKind::Window, 0.0).count(Code::DoorBlocked), 0);
+    }
+
+    #[test]
+    fn the_ends_of_an_open_boundary_need_no_space_if_people_pass_between_them() {
+        let rules = AuditRules::default().doors;
+        let ends = [3.0, 1.0, 0.9, 0.7].map(|width| (rules.free_ends(width) * 1000.0).round());
+        assert_eq!(ends, [150.0, 100.0, 50.0, 0.0]);
     }
 
     #[test]

@@ -8,8 +8,9 @@ use crate::layout::environment::Environment;
 use crate::layout::place::AgentIndex;
 use crate::plan::OpeningKind;
 
+use super::lanes::{ROUNDING, Standing};
 use super::legs::Leg;
-use super::rows::{ROUNDING, Row, Standing};
+use super::rows::Row;
 use super::units::{Unit, Units};
 use crate::layout::at_wall::Spot;
 

@@ -5,7 +5,7 @@
 //! - takes its units from the programme (`units`): all pieces whose class has a [`crate::catalog::FittedPart`],
 //! - finds the stretches that are free (`legs`): of walls, and along open sides for bars,
 //! - joins them to rows (`forms`): along one wall, around one corner or two, in two parts, with a bar across the aisle,
-//! - makes rows for each (`rows`), compares them by points (`points`), and takes the best that is free of everything,
+//! - makes rows for each (`rows`) of the units that fit side by side (`lanes`), compares them by points (`points`), and takes the best that is free of everything,
 //! - hangs the wall units over it (`hanging`),
 //! - does so again with slim units where somebody would have too little space before the usual ones.
 //!
@@ -14,6 +14,7 @@
 
 mod forms;
 mod hanging;
+mod lanes;
 mod legs;
 mod points;
 mod rows;
@@ -30,8 +31,9 @@ use super::place::{AgentIndex, Place};
 use super::seed::{Purpose, RoomKey, Stream};
 use crate::catalog::FittedPart;
 use forms::{Form, forms_around_corners, forms_in_two_parts, forms_with_bars, straight_forms};
+use lanes::Standing;
 use points::Judge;
-use rows::{Row, Standing, rows_in};
+use rows::{Row, rows_in};
 use units::{Depth, Units};
 
 /// Rows that the room may refuse, the best first; one that refuses so many has something in the way everywhere.

@@ -14,8 +14,9 @@ use crate::layout::surroundings::Surroundings;
 use crate::plan::{OpeningKind, PIPES_TAG, Room};
 
 use super::forms::{Form, Joint};
+use super::lanes::{ROUNDING, Standing};
 use super::legs::{AT_CORNER, JOINT, Leg, USEFUL};
-use super::rows::{ROUNDING, Row, Standing, metres_between};
+use super::rows::{Row, metres_between};
 use super::units::{Unit, Units};
 
 /// Points by which chance moves a row: of rows that are equally good a seed takes one. Larger: more variety, and more rows with

@@ -92,6 +92,57 @@ fn a_row_turns_at_a_corner_where_one_wall_is_too_short() {
     assert!(SEEDS.filter(turns).count() > 0);
 }
 
+/// Metres at both ends of the third wall that its row leaves, if there is one.
+fn gaps_at_third_wall(units: &[(FittedPart, Solid)], width: f64, depth: f64) -> Vec<f64> {
+    let at_wall = || units.iter().filter(|(_, solid)| solid.bounds.high.y > depth - 0.01);
+    let from = at_wall().map(|(_, solid)| solid.bounds.low.x).reduce(f64::min);
+    let to = at_wall().map(|(_, solid)| width - solid.bounds.high.x).reduce(f64::min);
+    from.into_iter().chain(to).collect()
+}
+
+/// Whether wall beside a row is lost: more than a joint, less than is of use.
+fn is_lost(metres: &f64) -> bool {
+    (0.03..0.6).contains(metres)
+}
+
+#[test]
+fn a_row_reaches_the_walls_at_its_ends() {
+    let catalog = load_catalog(&[]).unwrap().value;
+    for width in [2.33, 2.47, 2.58, 2.71, 3.04] {
+        let level = room("kitchen", width, 3.6);
+        let mut fillers = 0;
+        for seed in SEEDS {
+            let units = units(&catalog, &run(&level, &catalog, seed));
+            let gaps = gaps_at_third_wall(&units, width, 3.6);
+            assert!(!gaps.iter().any(is_lost), "{width} m, seed {seed}: {gaps:?}");
+            fillers += units.iter().filter(|(part, _)| *part == FittedPart::Filler).count();
+        }
+        assert!(fillers > 0, "{width} m: no filler in any kitchen");
+    }
+}
+
+#[test]
+fn a_row_reaches_the_wall_that_an_open_side_begins_at() {
+    let catalog = load_catalog(&[]).unwrap().value;
+    let (width, depth) = (3.1, 3.2);
+    let mut level = room("kitchen", width, depth);
+    // Less deep than the units are.
+    open_to_end(&mut level, OpeningKind::OpenBoundary, (3, 0.5), [0.0, 2.5]);
+    let mut rows = 0;
+    for seed in SEEDS {
+        let units = units(&catalog, &run(&level, &catalog, seed));
+        // A bar leaves the floor before the open side free, and its corner, too.
+        let is_bar = |solid: &Solid| solid.bounds.low.x < 0.5 && solid.bounds.low.y < depth - 0.7;
+        if units.iter().any(|(_, solid)| is_bar(solid)) {
+            continue;
+        }
+        let gaps = gaps_at_third_wall(&units, width, depth);
+        assert!(!gaps.iter().any(is_lost), "seed {seed}: {gaps:?}");
+        rows += usize::from(!gaps.is_empty());
+    }
+    assert!(rows > 2, "{rows} rows");
+}
+
 /// A room that is open along its third wall, and along its second where people come in.
 fn open_kitchen(width: f64, depth: f64) -> Level {
     let mut level = room("kitchen", width, depth);
