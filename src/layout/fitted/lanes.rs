@@ -124,6 +124,16 @@ impl Lane {
         Some(Self { packed, panel, taken, left })
     }
 
+    /// The same on a stretch that is so many metres longer.
+    pub(super) fn within(self, longer: f64) -> Self {
+        Self { left: self.left + longer, ..self }
+    }
+
+    /// The same units from the last to the first.
+    pub(super) fn turned(&self) -> Self {
+        Self { packed: self.packed.iter().rev().copied().collect(), ..self.clone() }
+    }
+
     /// The ways in which the units stand along a leg: with a filler at an end that is closed, else from its start, and from its
     /// end.
     pub(super) fn ways(&self, units: &Units, leg: &Leg) -> Vec<Vec<Standing>> {

@@ -99,9 +99,7 @@ fn in_corner(((after, before), (unit, corner)): ((&Leg, &Leg), (usize, &Unit))) 
 /// The units of each part of an order along its leg; `None` if they do not fit.
 fn along_legs(units: &Units, legs: &[Leg], parts: &[&[Slot]]) -> Option<Vec<Standing>> {
     let (mut standings, mut taken) = (Vec::new(), Taken::default());
-    let is_tall = |packed: Option<&Packed>| {
-        packed.is_none_or(|packed| units.unit(packed.unit).part == FittedPart::Tall)
-    };
+    let is_tall = |packed: Option<&Packed>| packed.is_none_or(|packed| packed.part == FittedPart::Tall);
     for (place, (leg, slots)) in legs.iter().zip(parts).enumerate() {
         let lane = Lane::pack(units, slots, leg.length(), taken)?;
         let (is_first, is_last) = (place == 0, place + 1 == legs.len());
@@ -134,8 +132,8 @@ fn add_parts(units: &Units, first: &Leg, second: &Leg, slots: &[Slot], rows: &mu
         if one.packed.is_empty() || two.packed.is_empty() {
             continue;
         }
-        let two = Lane { left: second.length() - metres + two.left, ..two };
-        let turned = Lane { packed: two.packed.iter().rev().copied().collect(), ..two };
+        let two = two.within(second.length() - metres);
+        let turned = two.turned();
         let seconds: Vec<Vec<Standing>> =
             [&two, &turned].iter().flat_map(|lane| lane.ways(units, second)).collect();
         for one in one.ways(units, first) {
