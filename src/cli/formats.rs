@@ -3,7 +3,7 @@
 use super::answer::{FormatsAnswer, UnreadFormatAnswer};
 use super::exit::Outcome;
 use super::screen::Screen;
-use crate::plan::{read_formats, unread_formats};
+use crate::plan::{ReadFormat, read_formats, unread_formats};
 
 /// Runs the command.
 pub(crate) fn run(screen: Screen) -> Outcome {
@@ -14,13 +14,32 @@ pub(crate) fn run(screen: Screen) -> Outcome {
         screen.json(&FormatsAnswer { read: read_formats(), not_read: not_read.collect() });
         return Outcome::Done;
     }
-    for format in read_formats() {
-        screen.result(&format!(
-            "{:<10}{}\n{:10}input  {}\n{:10}read   {}",
-            format.name, format.title, "", format.input, "", format.content
-        ));
-    }
+    screen.result(&listed(&read_formats()));
     let names: Vec<&str> = unread_formats().into_iter().map(|(name, _)| name).collect();
     screen.result(&format!("\nKnown and not read: {}.", names.join(", ")));
     Outcome::Done
+}
+
+/// Formats with their names in a column as wide as the longest.
+fn listed(formats: &[ReadFormat]) -> String {
+    let width = formats.iter().map(|format| format.name.len()).max().unwrap_or_default() + 2;
+    let line = |format: &ReadFormat| {
+        let ReadFormat { name, title, input, content } = format;
+        format!("{name:<width$}{title}\n{0:width$}input  {input}\n{0:width$}read   {content}", "")
+    };
+    formats.iter().map(line).collect::<Vec<_>>().join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_name_runs_into_its_title() {
+        let formats = read_formats();
+        let text = listed(&formats);
+        let apart =
+            |format: &ReadFormat| text.lines().any(|line| line.starts_with(&format!("{}  ", format.name)));
+        assert!(formats.iter().all(apart), "{text}");
+    }
 }

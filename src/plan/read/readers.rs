@@ -3,7 +3,8 @@
 //! 1. Write the reader: a file or folder here with a `pub(super) const FORMAT: ForeignFormat`. `example.rs` is a complete
 //!    one to copy (there `FORMAT` is private, as no list names it); `reader.rs` says what each field is asked. Set
 //!    `is_settled: true`, as the example does. Add its `mod` line to `mod.rs`, in the order of the alphabet; nothing else there
-//!    concerns a reader. Add its `FORMAT` to the list below: the first that recognises a file reads it. A new one goes before
+//!    concerns a reader. Add its `FORMAT` to the list below: the first that recognises a file reads it, and all are asked before native
+//!    plans and projects, so that a file may have their keys (`levels`, `project`). A new one goes before
 //!    `indoor::sit::FORMAT`, for that and `outlines::FORMAT` take maps of any origin. Recognition, `roomwright formats`, `import`
 //!    and hints follow.
 //! 2. Renew the table in `docs/commands.md`: `UPDATE_GOLDENS=1 cargo test --lib the_page_about_commands`; no other golden names
@@ -23,7 +24,9 @@
 //!    The reader asks for them by the name of the section: `words.room_type("example", "Open_Office")`. By custom the name is also
 //!    `about.name` of the format, the word in the answers of `formats` and `import`; nothing in the program joins the two. Where an
 //!    unread format has that word in its name and stays unread (`.osm`), name the format otherwise, such as `osm-indoor`. Of
-//!    several words for one room the most specific decides.
+//!    several words for one room the most specific decides. Of names that people type ("Open Office 2"),
+//!    `type_of_words(words, &["example", "ifc"], &plain_words(name))` of `room_names.rs` finds the longest known words; it may ask
+//!    the sections of other formats, too.
 //! 4. Add a case: a folder below `tests/cases/plan_import/` with a small plan, whose buildings have ids of their own: an id that is
 //!    the name of the file must differ from those of other cases. `UPDATE_GOLDENS=1 cargo test --test plan import` writes what is
 //!    read of it into a text beside the folder, `<folder>.txt`, and fails so that somebody looks at it. The fuzz test damages the
@@ -46,18 +49,20 @@
 //! | for | use |
 //! |---|---|
 //! | the types to fill, and what each may leave open | `plan/draft.rs`: metres, x east, y north; `assemble` finds the rest |
-//! | the text of a file; a JSON or YAML document as a type | `Source::read(path)?`; `source.parse::<T>()?`, where `T` derives `Deserialize` and `JsonSchema` |
+//! | the text of a file; a JSON or YAML document as a type | `Source::read(path)?`; `source.parse::<T>()?`, where `T` derives `Deserialize` and `JsonSchema`; keys that it does not name are passed over, and lists that may be `null` are `Option<Vec<T>>` |
 //! | a fault at a line and column | `source.fault_at(Some((line, column)), message)`, then `.with_hint(hint)`, `.as_warning()` |
 //! | a fault at a document path | `source.fault(&path, message, hint, severity)`: a slice of `PathStep`s such as `&["rooms".into(), 3.into()]`, the fact, `Some(String)` or `None`, and `FaultSeverity::Error` or `Warning`; `use crate::document::{FaultSeverity, PathStep}` |
+//! | many faults of one file | `ToldFaults` of `told.rs`: `push(\|\| fault)` keeps the first 200 and counts the others, `finish(\|message\| fault)` gives all |
 //! | GeoJSON: features, areas and lines in metres | `geojson/mod.rs`; `imdf/translate.rs` shows its use |
 //! | to recognise a file by what it holds | `head(path, 4096)` of `foreign.rs` gives its first bytes: look for words that no other format begins with. Where they come late (tags behind all nodes), test the root first, and only then search a larger part, such as a megabyte. Faults of a recognised file are reported also in a folder, where files that nobody recognises are passed over |
 //! | to recognise JSON or XML | `let sample = Sample::read(path, 4096)` (`sample.rs`), then `sample.is_object() && sample.has(&["rooms", "walls"])`, if all of these are outermost keys in the first bytes; `holds_one_of(&["\"Room2D\""])` for words at any depth, `says("type", "Plan")` for a key with its value, `is_xml("plan")`. `honeybee/mod.rs` shows its use |
 //! | tables of any size | `swiss_dwellings/records.rs`: one record in memory, with its line; `gather.rs` keeps the chosen ones |
 //! | binary files | nothing in common yet; `ifc/step.rs` reads STEP from the text. A crate is welcome if it keeps the places of elements, and its line in Cargo.toml says what it saves |
-//! | degrees of longitude and latitude | `LocalPlane::at(longitude, latitude)?.project(longitude, latitude)` of `plan/units.rs` (no plane outside ±180° and ±85°), which has other units too: one plane for all levels of a building, at `Bounds::around(points).center()` of its corners; `plane_of` of `geojson/place.rs` does that for GeoJSON. `Polygon` takes metres; an area in degrees counts as none |
+//! | degrees of longitude and latitude | `LocalPlane::at(longitude, latitude)?.project(longitude, latitude)` of `plan/units.rs` (no plane outside ±180° and ±85°), which has `FOOT`, `US_FOOT` and `CENTIMETRE` too: one plane for all levels of a building, at `Bounds::around(points).center()` of its corners; `plane_of` of `geojson/place.rs` does that for GeoJSON. `Polygon` takes metres; an area in degrees counts as none |
 //! | axes | plans have x east, y north. Of a file with y down, as of pixels, `Point::new(x, -y)`; with Y up, right-handed, as glTF: `Point::new(x, -z)`; with Y up, left-handed, as Unity: `Point::new(x, z)` |
-//! | first bytes, ids from names, words for rooms, missing files, doors too wide for a leaf | `foreign.rs`: `head`, `slug`, `TypeOfWord`, `unknown_words`, `missing_parts`, `WIDEST_LEAF` (metres; wider doors slide) |
+//! | first bytes, ids from names, words for rooms, missing files, doors too wide for a leaf | `foreign.rs`: `head`, `slug`, `TypeOfWord`, `unknown_words` (at a line or a document path), `missing_parts`, `WIDEST_LEAF` (metres; wider doors slide) |
 //! | plans that share edges of rooms and draw no walls | `outlines: OutlineKind::Center` in the `LevelDraft`. What a file does not say is yours to choose: IMDF takes storeys of 3.6 m, walls of 0.1 m inside and 0.4 m outside, doors 2.1 m high. A door is a point on the shared edge and needs no direction; corners on a straight line are merged later |
+//! | several levels | a `LevelDraft` each; its `elevation` is what the file says, else yours to sum up from the heights below |
 //! | ids of levels | any text that is unique in the building; IMDF has `level_<ordinal>`, `level_-1` below ground |
 //! | furniture that a file draws | `furniture` of the format gives `DrawnPiece`s; `edits/drawn.rs` keeps them by the words under `pieces` in `room_words.yaml` |
 //! | XML, ZIP archives | `sweet_home/xml.rs` and `container.rs` |
