@@ -135,7 +135,8 @@ fn worktop(draft: &Draft, builder: &mut Builder) {
 /// A panel in line with the fronts, over a toe kick.
 fn filler(builder: &mut Builder, kitchen: &Kitchen, bay: Bay) {
     let toe = TOE[0].min(bay.height() * 0.2);
-    let front = bay.without(Side::Front, kitchen.fittings.reach);
+    // Narrower than the board above by less than one sees: its ends and theirs would lie in one plane.
+    let front = bay.without(Side::Front, kitchen.fittings.reach).inset(0.0004, 0.0, 0.0);
     let thickness = kitchen.fittings.depth() - kitchen.fittings.reach;
     builder.cuboid(kitchen.fittings.front, front.with_y([toe, bay.high.y]).slab(Side::Front, thickness));
     builder.cuboid(
