@@ -31,8 +31,14 @@ pub(super) fn living_rooms(chambers: &[Chamber<'_>], households: &Households) ->
 /// another floor, and may have its kitchen there.
 fn lacks_a_kitchen(chambers: &[Chamber<'_>], living: usize, households: &Households) -> bool {
     let homes = &households.homes;
-    let sleeps = |index: usize| index != living && chambers[index].may_sleep(households);
-    !has(chambers, &homes.kitchens) && has(chambers, &homes.bathrooms) && (0..chambers.len()).any(sleeps)
+    !has(chambers, &homes.kitchens)
+        && has(chambers, &homes.bathrooms)
+        && leaves_a_bedroom(chambers, living, households)
+}
+
+/// Whether somebody may sleep in another room than the living room.
+fn leaves_a_bedroom(chambers: &[Chamber<'_>], living: usize, households: &Households) -> bool {
+    (0..chambers.len()).any(|other| other != living && chambers[other].may_sleep(households))
 }
 
 /// Whether the plan names a room of some types.
@@ -50,9 +56,7 @@ fn open_living_room(chambers: &[Chamber<'_>], households: &Households) -> Option
     let is_there = has_table(chambers, households);
     let roles = if is_there { &homes.living_without_table } else { &homes.living_with_table };
     let suits = |index: &usize| role_of(chambers, *index, roles, households).is_some();
-    let sleeps = |index: usize| chambers[index].may_sleep(households);
-    let leaves_a_bedroom =
-        |living: &usize| (0..chambers.len()).any(|other| other != *living && sleeps(other));
+    let leaves_a_bedroom = |living: &usize| leaves_a_bedroom(chambers, *living, households);
     let score = |index: usize| chambers[index].living_score;
     let all = || (0..chambers.len()).filter(suits);
     let first = best(all().filter(leaves_a_bedroom), score).or_else(|| best(all(), score))?;

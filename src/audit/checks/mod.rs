@@ -19,8 +19,8 @@
 //!    others.
 //! 4. Renew `docs/audit.md`, `docs/guide.md` and the schemas: `UPDATE_GOLDENS=1 cargo test --lib -- the_page_about_the_audit
 //!    published_schemas the_guide_lists_the_groups`. Levels whose rooms have the new finding change: `cargo test --test command_line
-//!    pinned` says so, and renews them with `UPDATE_GOLDENS=1`. Then `cargo test --lib -- audit`. Nothing else lists the codes: the page of `view` is sent their meanings (`src/view/site.rs`), and
-//!    `scripts/judge.py` has measures of its own. Until a version is released, CHANGELOG.md stays as it is.
+//!    pinned` says so, and renews them with `UPDATE_GOLDENS=1`. Then `cargo test --lib -- audit`. Nothing else
+//!    lists the codes: the page of `view` is sent their meanings (`src/view/site.rs`), and `scripts/judge.py` has measures of its own. Until a version is released, CHANGELOG.md stays as it is.
 //!
 //! | quantity (`quantity.rs`) | unit of the figures | is |
 //! |---|---|---|

@@ -1,11 +1,12 @@
 //! Wall units over a row: in one line, flush with each other, beside the hood.
 
 use crate::catalog::{FittedPart, ParentName};
-use crate::geometry::{Convex, Intervals, Point, Solid};
+use crate::geometry::{Intervals, Point, Solid};
 use crate::layout::arrange::take_size;
 use crate::layout::constants::CONTACT_TOLERANCE;
 use crate::layout::environment::Environment;
 use crate::layout::place::AgentIndex;
+use crate::layout::rules::floor_along;
 use crate::plan::OpeningKind;
 
 use super::lanes::{ROUNDING, Standing};
@@ -91,9 +92,8 @@ fn stretches(
 fn line_of(environment: &Environment<'_>, unit: &Unit, wall: usize, elevation: f64) -> Solid {
     let (part, size) =
         (&environment.brief.surroundings.room.walls[wall], environment.agents[unit.agent].size);
-    let middle = (part.start + part.end) / 2.0 + part.normal() * (size.depth / 2.0);
     let half = Point::new(part.length() / 2.0, size.depth / 2.0);
-    Solid::new(Convex::rectangle(middle, half, part.direction()), elevation, elevation + size.height)
+    Solid::new(floor_along(part, half.y, half), elevation, elevation + size.height)
 }
 
 /// Leaves out the stretches of a line along a wall that are before windows, also those of the walls beside it.

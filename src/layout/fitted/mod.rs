@@ -5,7 +5,8 @@
 //! - takes its units from the programme (`units`): all pieces whose class has a [`crate::catalog::FittedPart`],
 //! - finds the stretches that are free (`legs`): of walls, and along open sides for bars,
 //! - joins them to rows (`forms`): along one wall, around one corner or two, in two parts, with a bar across the aisle,
-//! - makes rows for each (`rows`) of the units that fit side by side (`lanes`), compares them by points (`points`), and takes the best that is free of everything,
+//! - makes rows for each (`rows`) of the units that fit side by side (`lanes`), compares them by points (`points`), and takes the
+//!   best that is free of everything,
 //! - hangs the wall units over it (`hanging`),
 //! - does so again with slim units where somebody would have too little space before the usual ones.
 //!

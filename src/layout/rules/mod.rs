@@ -15,7 +15,7 @@ pub(crate) use corner::fills_niche;
 pub(crate) use relation::{Factor, Measured, Score, measure, meets_needs, score, unmet_need, weigh};
 pub(crate) use swing::{count_at_swings, distance_to_swings};
 pub(crate) use turn::angle_of_front;
-pub(crate) use wall::{Line, closings, free_stretches};
+pub(crate) use wall::{Line, closings, floor_along, free_stretches};
 
 use crate::catalog::{Class, ParentRule, Side, Size};
 

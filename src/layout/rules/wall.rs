@@ -73,16 +73,20 @@ pub(crate) fn free_stretches(
     free.as_slice().iter().map(|&(from, to)| (from - strip.half, to + strip.half)).collect()
 }
 
+/// The floor along a wall, its middle so many metres before it; `half` of it along the wall and across.
+pub(crate) fn floor_along(wall: &Wall, distance: f64, half: Point) -> Convex {
+    Convex::rectangle((wall.start + wall.end) / 2.0 + wall.normal() * distance, half, wall.direction())
+}
+
 /// What closes the sides of a box that stands along a wall, as ranges of metres from the wall's start: walls and bodies that come
 /// into the middle half of its depth. Sides are open where an edge has no wall.
 pub(crate) fn closings(environment: &Environment<'_>, line: &Line) -> Vec<(f64, f64)> {
     let Line { size, wall: index, before_opening, .. } = *line;
     let wall = &environment.brief.surroundings.room.walls[index];
     let (along, normal) = (wall.direction(), wall.normal());
-    let middle = (wall.start + wall.end) / 2.0 + normal * (before_opening + size.depth / 2.0);
     // Past the ends of the wall, too: the walls there are what closes most rows.
     let half = Point::new(wall.length() / 2.0 + SNAP_DISTANCE, size.depth / 4.0);
-    let region = Solid::new(Convex::rectangle(middle, half, along), 0.0, size.height);
+    let region = Solid::new(floor_along(wall, before_opening + size.depth / 2.0, half), 0.0, size.height);
     let start = wall.start.dot(along);
     let mut closings = Vec::new();
     environment.each_obstacle(&region, |solid, is_flat| {
@@ -296,9 +300,8 @@ impl<'a> Strip<'a> {
         // Thinner by a tolerance on both sides: bodies that only touch the region do not block it.
         let depth = (depth - 2.0 * CONTACT_TOLERANCE).max(CONTACT_TOLERANCE);
         let distance = from + CONTACT_TOLERANCE + depth / 2.0;
-        let center = (self.wall.start + self.wall.end) / 2.0 + self.wall.normal() * distance;
         let half = Point::new(self.wall.length() / 2.0, depth / 2.0);
-        Solid::new(Convex::rectangle(center, half, self.wall.direction()), self.low, high)
+        Solid::new(floor_along(self.wall, distance, half), self.low, high)
     }
 
     fn block(&self, free: &mut Intervals, solid: &Solid) {
