@@ -165,6 +165,22 @@ fn railings_are_known_by_their_outline() {
     assert_eq!(level.rooms[0].walls[1].kind, WallKind::Solid);
 }
 
+#[test]
+fn a_wall_at_which_a_railing_ends_stays_a_wall() {
+    // A step in the south wall, as wide as the railing that comes from the south.
+    let outline =
+        [(0.0, 0.0), (1.0, 0.0), (1.0, 0.03), (1.14, 0.03), (1.14, 0.0), (4.0, 0.0), (4.0, 3.0), (0.0, 3.0)];
+    let room = RoomDraft { outline: points(&outline), ..rectangle("room", (0.0, 0.0), (4.0, 3.0)) };
+    let mut draft = level(vec![room], Vec::new());
+    draft.railings = vec![points(&[(1.0, -4.0), (1.14, -4.0), (1.14, 0.03), (1.0, 0.03)])];
+    let (level, _) = assemble_level(draft);
+    assert!(
+        level.rooms[0].walls.iter().all(|wall| wall.kind == WallKind::Solid),
+        "{:?}",
+        level.rooms[0].walls
+    );
+}
+
 /// A bathroom from x = 0 to 3 with a neighbour of a type on the other side of 0.2 m of wall, and a shaft that begins some
 /// metres behind its north wall. Answers which of its walls, south, east, north and west, have pipes.
 fn walls_with_pipes(neighbour: &str, shaft_distance: f64) -> Vec<usize> {

@@ -1,7 +1,7 @@
 //! Finds what is behind each wall: thickness, open air, railings.
 
 use super::index::{OutlineIndex, WallIndex, WallPlace};
-use crate::geometry::{Bounds, Point, Region, Segment};
+use crate::geometry::{Bounds, Point, Polygon, Region, Segment};
 use crate::plan::{LevelDraft, Room, Wall, WallKind};
 
 /// A neighbouring room is looked for this many metres behind a wall; thicker inner walls count as outer ones.
@@ -19,6 +19,8 @@ const FACING: f64 = 0.7;
 const RAILING_REACH: f64 = 0.12;
 /// Metres of a railing from its inner to its outer face, at most: the walls of the building are no measure for it.
 const RAILING_THICKNESS: f64 = 0.12;
+/// Metres through a drawn railing, at most, where it runs along a wall; one that ends at a wall is deeper, seen from there.
+const THICKEST_RAILING: f64 = 0.4;
 /// Metres of a railing above the floor; formats that draw railings give no height that can be used.
 const RAILING_HEIGHT: f64 = 1.0;
 /// Metres of the thinnest outer wall that a drawing may show.
@@ -50,10 +52,11 @@ pub(super) struct Drawn<'a> {
 /// Finds thickness, `is_exterior` and kind of every wall of the level.
 pub(super) fn back_walls(rooms: &mut [Room], drawn: &Drawn<'_>, draft: &LevelDraft) {
     let index = WallIndex::of(rooms);
+    let railed: Vec<Vec<bool>> = rooms.iter().map(|room| railed(&room.walls, drawn.railings)).collect();
     for (room, number) in places(rooms) {
         let backing = backing_of(rooms, &index, WallPlace { room, wall: number });
         let wall = &mut rooms[room].walls[number];
-        let is_railed = is_railed(wall, drawn.railings);
+        let is_railed = railed[room][number];
         if is_railed {
             wall.kind = WallKind::Railing(RAILING_HEIGHT);
         }
@@ -142,16 +145,62 @@ fn drawn_thickness(wall: &Wall, solids: &OutlineIndex) -> Option<f64> {
     (exit <= THICKEST_INNER_WALL).then_some(exit + THINNEST_OUTER_WALL)
 }
 
-/// Whether railings run along most of a wall.
-fn is_railed(wall: &Wall, railings: &OutlineIndex) -> bool {
+/// Which walls of a room are railings: those on which railings stand, in stretches of walls that meet. Where a railing only ends at
+/// a wall, the stretch is as wide as the railing, and stays a wall.
+fn railed(walls: &[Wall], railings: &OutlineIndex) -> Vec<bool> {
+    let shares: Vec<[f64; 2]> = walls.iter().map(|wall| railed_shares(wall, railings)).collect();
+    let mut is_railed: Vec<bool> = shares.iter().map(|&[near, _]| near > 0.5).collect();
+    let is_next = |one: usize, two: usize| {
+        let (one, two) = (&walls[one], &walls[two]);
+        // The edges of a hole are reversed, their order is not.
+        one.end == two.start || one.start == two.end
+    };
+    let mut stretches: Vec<Vec<usize>> = Vec::new();
+    for index in (0..walls.len()).filter(|&index| is_railed[index]) {
+        match stretches.last_mut().filter(|stretch| is_next(stretch[stretch.len() - 1], index)) {
+            Some(stretch) => stretch.push(index),
+            None => stretches.push(vec![index]),
+        }
+    }
+    if let [first, .., last] = &mut stretches[..]
+        && is_next(last[last.len() - 1], first[0])
+    {
+        // Round the first corner of the outline.
+        first.append(last);
+    }
+    for stretch in stretches {
+        let metres = |share: &dyn Fn(usize) -> f64| -> f64 {
+            stretch.iter().map(|&index| walls[index].length() * share(index)).sum()
+        };
+        if metres(&|index| shares[index][1]) < 0.5 * metres(&|_| 1.0) {
+            stretch.iter().for_each(|&index| is_railed[index] = false);
+        }
+    }
+    is_railed
+}
+
+/// The shares of a wall on which railings stand, and of it along which they run.
+fn railed_shares(wall: &Wall, railings: &OutlineIndex) -> [f64; 2] {
     let origins = ray_origins(wall);
     let outwards = -wall.normal();
-    let railed = origins.iter().filter(|&&origin| {
-        railings.near(Bounds::around_point(origin, RAILING_REACH)).into_iter().any(|railing| {
-            let start = origin - outwards * RAY_BACKSTEP;
-            let hits = railing.edges().filter_map(|edge| ray_hit(start, outwards, edge));
-            railing.contains(start) || hits.min_by(f64::total_cmp).is_some_and(|hit| hit < RAILING_REACH)
-        })
-    });
-    railed.count() * 2 > origins.len()
+    let mut counts = [0, 0];
+    for &origin in &origins {
+        let start = origin - outwards * RAY_BACKSTEP;
+        let near = railings.near(Bounds::around_point(origin, RAILING_REACH));
+        let depths: Vec<f64> =
+            near.into_iter().filter_map(|railing| railing_depth(railing, start, outwards)).collect();
+        counts[0] += usize::from(!depths.is_empty());
+        counts[1] += usize::from(depths.iter().any(|&depth| depth <= THICKEST_RAILING));
+    }
+    counts.map(|count| count as f64 / origins.len() as f64)
+}
+
+/// Metres that a ray goes through a railing near its start; none where it meets none there.
+fn railing_depth(railing: &Polygon, start: Point, outwards: Point) -> Option<f64> {
+    let mut hits: Vec<f64> = railing.edges().filter_map(|edge| ray_hit(start, outwards, edge)).collect();
+    hits.sort_by(f64::total_cmp);
+    // A ray that begins in the railing only leaves it.
+    let from = if railing.contains(start) { 0.0 } else { hits.first().copied()? };
+    let to = hits.iter().copied().find(|&hit| hit > from).unwrap_or(from);
+    (from < RAILING_REACH).then_some(to - from)
 }
