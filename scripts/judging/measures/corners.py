@@ -15,8 +15,10 @@ JOINT = 0.04
 # Metres beside a kitchen unit, or beside a bath in a corner, that are lost: more than a joint, less than another unit is wide.
 UNIT_GAP = (0.03, 0.6)
 BATH_GAP = (0.12, 0.6)
-# Metres from the mattress to the wall: a board, and a hand that tucks in the sheet.
+# Metres from the mattress to the wall: a board, and a hand that tucks in the sheet. A jog of the wall or a piece closes a side
+# of a bed along a quarter of its length, half a metre: who sits up in it leans there, or rolls no farther.
 BED_GAP = 0.1
+BED_SHARE = 0.25
 # Metres before a screen's stand that stay empty, metres of height over which a piece is in the way, and square metres of it.
 BEFORE = 0.8
 IN_THE_WAY = 0.55
@@ -24,10 +26,10 @@ LEAST = 0.1
 FARTHEST = 3.0
 
 
-def gap(room: Room, piece: Piece, name: str) -> tuple[float, bool]:
-    """Metres from the middle of a side to what closes it, 3 at most, and whether that is a wall without an opening."""
+def gap(room: Room, piece: Piece, name: str, share: float = 0.5) -> tuple[float, bool]:
+    """Metres from a side, at a share of its length, to what closes it, 3 at most, and whether that is a wall without an opening."""
     start, end, outward = piece.side(name)
-    first = (start + end) / 2 + outward * 0.005
+    first = start + (end - start) * share + outward * 0.005
     ray = shapely.LineString([first, first + outward * FARTHEST])
     inside = shapely.intersection(ray, room.region)
     metres = max((part.length for part in shapely.get_parts(inside) if part.distance(shapely.Point(first)) < JOINT), default=0.0)
@@ -63,17 +65,16 @@ def baths_of(room: Room) -> list[Piece]:
     return room.of(TUBS) if room.kind in BATHROOMS else []
 
 
-def closed_at_a_side(room: Room, pieces: list[Piece], limit: float) -> Answer | None:
-    """Pieces whose nearer side is farther from a wall or piece than the limit fail."""
-    if not pieces:
+def closed_at_a_side(nearest: dict[str, float], limit: float) -> Answer | None:
+    """Pieces whose nearer side, by their ids, is farther from a wall or piece than the limit fail."""
+    if not nearest:
         return None
-    nearest = [(sides(room, piece)[0][0], piece.id) for piece in pieces]
-    faults = [Fault(f"no side is closed within {metres:.2f} m", (name,), metres) for metres, name in nearest if metres > limit]
-    return answer(faults, max(metres for metres, _ in nearest))
+    faults = [Fault(f"no side is closed within {metres:.2f} m", (name,), metres) for name, metres in nearest.items() if metres > limit]
+    return answer(faults, max(nearest.values()))
 
 
 def judge_bath_corners(room: Room) -> Answer | None:
-    return closed_at_a_side(room, baths_of(room), JOINT)
+    return closed_at_a_side({bath.id: sides(room, bath)[0][0] for bath in baths_of(room)}, JOINT)
 
 
 def judge_bath_niches(room: Room) -> Answer | None:
@@ -88,8 +89,16 @@ def judge_bath_niches(room: Room) -> Answer | None:
     return answer(faults, max((fault.measured for fault in faults), default=0.0))
 
 
+def leaned_on(room: Room, bed: Piece, name: str) -> float:
+    """Metres to what closes a side along BED_SHARE of its length: of rays at even steps, the farthest of the nearest ones."""
+    steps = 12
+    gaps = sorted(gap(room, bed, name, (step + 0.5) / steps)[0] for step in range(steps))
+    return gaps[round(BED_SHARE * steps) - 1]
+
+
 def judge_beds(room: Room) -> Answer | None:
-    return closed_at_a_side(room, room.of(SINGLE_BEDS | {"bunk_bed"}), BED_GAP)
+    beds = room.of(SINGLE_BEDS | {"bunk_bed"})
+    return closed_at_a_side({bed.id: min(leaned_on(room, bed, name) for name in ("left", "right")) for bed in beds}, BED_GAP)
 
 
 def judge_before_screens(room: Room) -> Answer | None:
