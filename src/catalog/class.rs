@@ -380,7 +380,7 @@ pub struct WallWishes {
     pub with: Vec<(Vec<ClassIndex>, f64)>,
     /// Points for each metre that the wall is long, up to 4 m.
     pub metre: f64,
-    /// Points where its left or right side is closed, by another wall or by what stands there.
+    /// Points where its left or right side is closed, by another wall or by what stands there; half of them where half of it is.
     pub corner: f64,
 }
 

@@ -5,6 +5,7 @@
 //! arrangement so far in several ways, and the best arrangements go on (a beam search). Points are those of the usual search,
 //! with the walls that the classes like (docs/fixtures.md). A piece without a place in the best arrangement searches by itself.
 
+mod niche;
 #[cfg(test)]
 mod tests;
 
@@ -38,10 +39,9 @@ const TIGHT: f64 = 9.0;
 /// narrow bathrooms keep large fixtures with too little space before them; less, and baths stand less often where architects
 /// have them.
 const SMALLER: f64 = 4.0;
-/// Points for filling a niche, and metres that may be left beside what fills it: a ledge with tiles, as wide as the steps between
-/// the sizes and a joint. As much as half a tight place loses; the more, the more tubs stand where architects have the toilet.
-const NICHE: f64 = 4.0;
-const LEDGE: f64 = 0.11;
+/// Points for filling a niche, less than a tight place loses; the more, the more tubs stand where architects have the
+/// toilet.
+const NICHE: f64 = 6.0;
 
 /// A piece at its place.
 #[derive(Clone, Debug)]
@@ -66,11 +66,18 @@ struct Arrangement {
     points: f64,
 }
 
+/// The part of the room that a piece of a class stands at, and whether its size only fills niches: where it takes so much that the
+/// next has no good place, the usual sizes are still there.
+type Outline = (ClassIndex, ParentPart, bool);
+
 impl Arrangement {
-    /// Classes with the parts of the room that they stand at: arrangements that agree in this look alike.
-    fn outline(&self, environment: &Environment<'_>) -> Vec<(ClassIndex, ParentPart)> {
-        let of =
-            |standing: &Standing| (environment.agents[standing.agent].piece.class, standing.place.parent);
+    /// What stands where: arrangements that agree in this look alike.
+    fn outline(&self, environment: &Environment<'_>) -> Vec<Outline> {
+        let of = |standing: &Standing| {
+            let class = environment.agents[standing.agent].piece.class;
+            let fills = standing.variant >= environment.class(standing.agent).common_variant_count();
+            (class, standing.place.parent, fills)
+        };
         self.standings.iter().map(of).collect()
     }
 }
@@ -92,6 +99,7 @@ pub(crate) fn settle_jointly(environment: &mut Environment<'_>, key: &RoomKey) {
     }
     if let Some(chosen) = at_turn(environment, &arrangements) {
         stand(environment, chosen);
+        chosen.standings.iter().for_each(|standing| niche::fill_niche(environment, standing.agent));
     }
 }
 
@@ -114,7 +122,7 @@ fn joint_agents(environment: &Environment<'_>) -> Vec<AgentIndex> {
 
 /// The best arrangements, few of each outline: what comes next may need another.
 fn unlike(environment: &Environment<'_>, best_first: Vec<Arrangement>) -> Vec<Arrangement> {
-    let mut kept: Vec<(Arrangement, Vec<(ClassIndex, ParentPart)>)> = Vec::with_capacity(ARRANGEMENTS);
+    let mut kept: Vec<(Arrangement, Vec<Outline>)> = Vec::with_capacity(ARRANGEMENTS);
     for arrangement in best_first {
         let outline = arrangement.outline(environment);
         if kept.iter().filter(|(_, other)| *other == outline).count() < ALIKE && kept.len() < ARRANGEMENTS {
@@ -194,7 +202,8 @@ fn smaller_places(environment: &mut Environment<'_>, agent: AgentIndex, stream: 
     found
 }
 
-/// Free places in the sizes that only fill niches, where one does: as it is built, a tub or a tray reaches from wall to wall.
+/// Free places in the sizes that only fill niches, where one does: the best at each wall, so that there is room in the search for
+/// other arrangements.
 fn niche_places(environment: &mut Environment<'_>, agent: AgentIndex, stream: &mut Stream) -> Vec<Way> {
     let class = environment.class(agent);
     let in_niches = class.common_variant_count()..class.variant_count();
@@ -202,10 +211,21 @@ fn niche_places(environment: &mut Environment<'_>, agent: AgentIndex, stream: &m
     for variant in in_its_look(environment, agent, in_niches) {
         take_size(environment, agent, variant);
         let mut ways = places(environment, agent, stream);
-        ways.retain(|way| !way.is_poor && rules::fills_niche(environment, agent, &way.standing.place, LEDGE));
-        ways.iter_mut().for_each(|way| way.points += NICHE);
+        ways.retain(|way| {
+            !way.is_poor && rules::fills_niche(environment, agent, &way.standing.place, niche::LEDGE)
+        });
+        ways.iter_mut()
+            .for_each(|way| way.points += std::env::var("NICHE").map_or(NICHE, |v| v.parse().unwrap()));
         found.extend(ways);
     }
+    // Stable: of equal points the earlier one comes first.
+    found.sort_by(|a, b| b.points.total_cmp(&a.points));
+    let mut walls = Vec::new();
+    found.retain(|way| {
+        let is_first = !walls.contains(&way.standing.place.parent);
+        walls.push(way.standing.place.parent);
+        is_first
+    });
     found
 }
 

@@ -140,6 +140,23 @@ fn what_bathes_stands_in_a_corner_and_fills_the_short_side_of_a_narrow_bathroom(
 }
 
 #[test]
+fn a_shower_fills_a_niche_and_leaves_the_others_their_places() {
+    let catalog = load_catalog(&[]).unwrap().value;
+    let mut filled = 0;
+    for seed in SEEDS {
+        // The usual trays leave 0.35 m or more of the short side.
+        let level = bathroom(1.25, 3.9, &[3]);
+        let furnished = run(&level, &catalog, seed);
+        let [_, rest] = gaps_beside(&level, placement(&catalog, &furnished, "bathing").unwrap());
+        filled += u32::from(rest < 0.111);
+        for group in ["wc", "washing"] {
+            assert!(placement(&catalog, &furnished, group).is_some(), "{group}, seed {seed}");
+        }
+    }
+    assert!(filled >= 9, "{filled} of 12 fill the niche");
+}
+
+#[test]
 fn a_bed_for_one_has_a_long_side_at_a_wall() {
     let catalog = load_catalog(&[]).unwrap().value;
     let mut level = bathroom(3.4, 3.6, &[]);

@@ -7,35 +7,65 @@ use crate::layout::place::{AgentIndex, Place};
 
 /// Metres beside a piece within which it is closed: a joint, or a board. Larger: gaps that collect dust count as closed.
 const JOINT: f64 = 0.04;
-/// Where along its depth a side is asked, in shares of the depth from the middle to the back. It is closed if it is at all of
-/// them: a jog of the wall at its back alone closes nothing.
+/// Where along its depth a side is asked, in shares of the depth from the middle to the back. A niche is closed at all of them: a
+/// jog of the wall at its back alone closes half of a corner.
 const SHARES: [f64; 2] = [-0.3, 0.3];
 /// Metres of the side that are asked at each of them.
 const LENGTH: f64 = 0.1;
 
-/// Whether the left or the right side of an agent is closed at a place, by a wall or by what stands there.
-pub(super) fn stands_in_corner(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> bool {
-    [-1.0, 1.0].into_iter().any(|side| is_closed(environment, agent, place, (side, JOINT)))
+/// How much of the left or the right side of an agent is closed at a place, by a wall or by what stands there: of the two the
+/// larger share, 0 to 1.
+pub(super) fn share_in_corner(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> f64 {
+    let closed =
+        |side: f64| closed_parts(environment, agent, place, (side, JOINT)) as f64 / SHARES.len() as f64;
+    closed(-1.0).max(closed(1.0))
 }
 
 /// Whether both sides of an agent are closed at a place, one at most so many metres away, the other at a joint.
 pub(crate) fn fills_niche(environment: &Environment<'_>, agent: AgentIndex, place: &Place, gap: f64) -> bool {
-    let is_closed = |side: f64, within: f64| is_closed(environment, agent, place, (side, within));
+    let is_closed =
+        |side: f64, within: f64| closed_parts(environment, agent, place, (side, within)) == SHARES.len();
     [-1.0, 1.0].into_iter().any(|side| is_closed(side, JOINT) && is_closed(-side, gap))
 }
 
-/// Whether one side is closed within some metres; −1 is the left one, 1 the right one.
-fn is_closed(
+/// At how many of the [`SHARES`] one side is closed within some metres; −1 is the left one, 1 the right one.
+fn closed_parts(
     environment: &Environment<'_>,
     agent: AgentIndex,
     place: &Place,
     (side, within): (f64, f64),
-) -> bool {
+) -> usize {
     let (size, pose) = (environment.agents[agent].size, &place.pose);
-    SHARES.into_iter().all(|share| {
+    let is_closed = |share: &f64| {
         let middle = pose.place(Point::new(side * (size.width + within) / 2.0, share * size.depth));
         let base = Convex::rectangle(middle, Point::new(within, LENGTH) / 2.0, pose.right);
         let bit = Solid::new(base, pose.elevation, pose.elevation + size.height);
         !environment.is_inside(&bit) || environment.is_taken(&bit)
-    })
+    };
+    SHARES.iter().filter(|share| is_closed(share)).count()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::catalog::{Along, Clearance, Count, ParentName, ParentRule, Side, Size, Turn, Untidiness};
+    use crate::layout::tests::{catalog, level, rule, run};
+
+    #[test]
+    fn a_side_that_is_half_closed_is_liked_better_than_an_open_one() {
+        let mut catalog = catalog(&[(4, Count::Fixed(1))], Untidiness::default());
+        let bed = &mut catalog.classes[4];
+        bed.sizes[0] = Size { width: 0.8, depth: 1.2, height: 1.0 };
+        let at_wall = rule(ParentName::Wall, &[Side::Front], Turn::Parallel, Along::Ends);
+        bed.parents = vec![ParentRule { tag: Some("here".to_owned()), ..at_wall }];
+        // Who needs space compares places.
+        bed.clearances = vec![Clearance::SEAT];
+        bed.walls.corner = 3.0;
+        // The wall for it ends at a jog of 0.6 m, and at a slanted wall that closes no side.
+        let mut level = level(&[(0.0, 0.0), (6.0, 0.0), (7.0, 3.0), (0.6, 3.0), (0.6, 2.4), (0.0, 2.4)]);
+        level.rooms[0].walls[2].tags.push("here".to_owned());
+        for seed in 0..12 {
+            let position = run(&level, &catalog, seed).placements[0].position;
+            assert!((position.x - 1.0).abs() < 0.01, "seed {seed}: {position}");
+        }
+    }
 }

@@ -13,7 +13,7 @@ use crate::layout::environment::Environment;
 use crate::layout::place::{AgentIndex, ParentPart, Place};
 use crate::plan::OpeningKind;
 
-use super::corner::stands_in_corner;
+use super::corner::share_in_corner;
 use super::swing::clearness;
 
 /// Radians beyond the good angle over which a wish about direction fades to nothing.
@@ -137,9 +137,9 @@ fn liking(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> f6
     };
     // Once for each line, however many pieces of it stand there.
     let of_others = with.iter().filter(|(classes, _)| environment.resting_of(classes).any(is_here));
-    let is_in_corner = *corner != 0.0 && stands_in_corner(environment, agent, place);
+    let in_corner = if *corner == 0.0 { 0.0 } else { corner * share_in_corner(environment, agent, place) };
     of_tags.sum::<f64>()
-        + f64::from(u8::from(is_in_corner)) * corner
+        + in_corner
         + of_others.map(|(_, points)| points).sum::<f64>()
         + metre * wall.length().min(LONG_WALL)
 }
