@@ -1,28 +1,28 @@
 //! Furnishes one room of a plan on demand, prints its furniture and findings, and writes it as a file of its own.
 //!
-//! `cargo run --release --example one_room -- PLAN BUILDING LEVEL ROOM OUT.glb`; without arguments, the living room of the
-//! built-in house.
+//! `cargo run --release --example one_room -- PLAN BUILDING/LEVEL/ROOM OUT.glb [STYLE]`; without arguments, the living room of
+//! the built-in house.
 
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a program for the command line")]
 
 use std::error::Error;
 use std::fs;
 
+use roomwright::Project;
 use roomwright::furniture::{Catalog, Placement};
-use roomwright::{Project, RoomId};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let defaults = ["configs/plans/house.yaml", "house", "ground", "living", "room.glb"];
-    let [plan, building, level, room, out] =
+    let defaults = ["configs/plans/house.yaml", "house/ground/living", "room.glb", "default"];
+    let [plan, room, out, style] =
         std::array::from_fn(|index| arguments.get(index).map_or(defaults[index], String::as_str));
 
     // What cannot be read is missing from the project, and named in its faults.
     let project = Project::read(&[plan].into_iter().collect())?;
     eprint!("{}", project.faults);
-    let options = project.level_options();
+    let options = project.level_options_in(style)?;
     let rooms = project.rooms(&options);
-    let room = rooms.furnish(&RoomId::new(building, level, room))?;
+    let room = rooms.furnish(&room.parse()?)?;
 
     for placement in &room.furnished.placements {
         println!("{}", line(placement, &project.catalog));

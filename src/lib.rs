@@ -1,5 +1,5 @@
 //! Roomwright furnishes buildings: floor plans in, one glTF file for each level out. A program that uses this library from a clone
-//! beside it has `roomwright = { path = "../roomwright" }` among its dependencies.
+//! beside it has `roomwright = { path = "../roomwright", default-features = false }` among its dependencies: without the command.
 //!
 //! The same plan, catalogue, options and version give the same bytes, on any machine and with any number of threads. A
 //! [`Project`] holds what was read: plans of any format that `roomwright formats` lists, the edits beside them, the catalogue of
@@ -19,15 +19,16 @@
 //! ```
 //!
 //! It also furnishes one room on demand, judges it, and writes it without the others, where it lies in the building, with its own
-//! walls, doors and windows. Ids are those of the plan; [`Project::plan`] holds them:
+//! walls, doors and windows. [`Project::room_ids`] lists the rooms; the styles are those of the catalogue, and one that the plan
+//! names for a room comes first:
 //!
 //! ```
-//! use roomwright::{Project, RoomId};
+//! use roomwright::{LevelOptions, Project};
 //!
 //! let project = Project::read(&["configs/plans/house.yaml"].into_iter().collect())?;
-//! let options = project.level_options();
+//! let options = LevelOptions { seed: 7, ..project.level_options_in("home_modern")? };
 //! let rooms = project.rooms(&options);
-//! let living = rooms.furnish(&RoomId::new("house", "ground", "living"))?;
+//! let living = rooms.furnish(&"house/ground/living".parse()?)?;
 //! for placement in &living.furnished.placements {
 //!     println!("{} at {}", project.catalog.classes[placement.class].id, placement.position);
 //! }
@@ -111,7 +112,7 @@ pub use contract::RoomId;
 pub use document::{Fault, Faults};
 pub use gltf::GltfError;
 pub use output::LevelOptions;
-pub use project::{EditsChoice, FinishedRoom, Project, ProjectPaths, Rooms, UnknownRoom};
+pub use project::{EditsChoice, FinishedRoom, Project, ProjectPaths, Rooms, UnknownRoom, UnknownStyle};
 pub use world::{Budget, Change, Eye, UnknownLevel, WantedRoom, World, WorldRoom};
 
 /// The types of the fields of [`LevelOptions`] and [`BakeOptions`].
@@ -139,7 +140,9 @@ pub mod building {
 
 /// Furniture: the catalogue ([`Project::catalog`]) and the pieces of a room ([`FinishedRoom::furnished`]).
 pub mod furniture {
-    pub use crate::catalog::{Catalog, Class, ClassIndex, Side};
+    pub use crate::catalog::{
+        BuildingStyle, ById, Catalog, Class, ClassIndex, RoomType, Side, Style, StyleRef,
+    };
     pub use crate::geometry::Size;
     pub use crate::layout::{Furnished, Parent, Placement, Removal, RemovalReason};
 }

@@ -9,6 +9,8 @@ macro_rules! groups {
         /// Words and meanings, for the guide.
         #[cfg(test)]
         const ALL: &[(&str, &str)] = &[$(($word, $meaning)),+];
+        #[cfg(test)]
+        const NAMES: &[&str] = &[$(stringify!($name)),+];
     };
 }
 
@@ -56,7 +58,7 @@ pub(crate) const DISPLAY: [&str; 3] = [WORK_SURFACE, DISPLAY_SURFACE, KITCHEN_TO
 
 #[cfg(test)]
 mod tests {
-    use super::ALL;
+    use super::{ALL, NAMES};
     use crate::catalog::load_catalog;
 
     #[test]
@@ -65,6 +67,19 @@ mod tests {
         for (word, _) in ALL {
             let has_it = classes.iter().any(|class| class.groups.iter().any(|group| group == word));
             assert!(has_it, "{word}");
+        }
+    }
+
+    #[test]
+    fn the_steps_for_findings_name_every_group() {
+        let steps = include_str!("checks/mod.rs");
+        let row =
+            steps.lines().find(|line| line.contains("| groups of classes |")).expect("the table has the row");
+        for name in NAMES {
+            assert!(
+                row.contains(&format!("`{name}`")) || row.contains(&format!("`groups::{name}`")),
+                "{name}"
+            );
         }
     }
 

@@ -142,6 +142,11 @@ impl DefinitionKind {
 pub const DEFAULT_STYLE: &str = "default";
 
 impl Catalog {
+    /// The ids of all styles, then those of all building styles, each sorted.
+    pub fn style_ids(&self) -> impl Iterator<Item = &str> + Clone {
+        self.styles.ids().chain(self.building_styles.keys().map(String::as_str))
+    }
+
     /// Whether there is a style or building style of that id.
     #[must_use]
     pub fn has_style(&self, id: &str) -> bool {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use super::arguments::SourceArguments;
 use crate::catalog::{Catalog, builtin_files, load_catalog, load_catalog_so_far};
 use crate::disk::TemporaryFolder;
-use crate::document::{Fault, Faults, Warned, did_you_mean};
+use crate::document::{Fault, Faults, Warned};
 use crate::edits::read_edits;
 use crate::model::ModelLibrary;
 use crate::plan::{PlanOptions, PlanReading, project_settings, read_plans};
@@ -135,11 +135,11 @@ pub(crate) fn run_style(typed: Option<&String>, sources: &Project) -> Result<Opt
     // The project's own is reported where it is written.
     let of_project = sources.settings.style.as_ref().filter(is_known);
     let Some(style) = typed else { return Ok(of_project.cloned()) };
-    if is_known(&style) {
-        return Ok(Some(style.clone()));
+    match sources.level_options_in(style) {
+        Ok(options) => Ok(options.style),
+        Err(unknown) => {
+            let fault = Fault::of_file(Path::new("--style"), unknown.fact());
+            Err(fault.with_hint(unknown.hint).into())
+        }
     }
-    let fault = Fault::of_file(Path::new("--style"), format!("unknown style \"{style}\""));
-    let known = catalog.styles.ids().chain(catalog.building_styles.keys().map(String::as_str));
-    let hint = did_you_mean(style, known).unwrap_or_else(|| "see `roomwright catalog styles`".to_owned());
-    Err(fault.with_hint(hint).into())
 }

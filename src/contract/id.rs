@@ -77,7 +77,17 @@ pub enum ElementId {
 
 /// A text that is no id.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct IdProblem(String);
+pub struct IdProblem {
+    text: String,
+    /// What is wrong with it.
+    fact: &'static str,
+}
+
+impl IdProblem {
+    fn without_number(text: &str) -> Self {
+        Self { text: text.to_owned(), fact: "ends in no number" }
+    }
+}
 
 impl ObjectId {
     /// The piece of a class with a number.
@@ -131,11 +141,26 @@ impl fmt::Display for ElementId {
 
 impl fmt::Display for IdProblem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the id \"{}\" ends in no number", self.0)
+        write!(f, "the id \"{}\" {}", self.text, self.fact)
     }
 }
 
 impl std::error::Error for IdProblem {}
+
+impl FromStr for RoomId {
+    type Err = IdProblem;
+
+    /// The room of a text as it is displayed: `house/ground/living`.
+    fn from_str(text: &str) -> Result<Self, IdProblem> {
+        let parts: Vec<&str> = text.split('/').collect();
+        match parts[..] {
+            [building, level, room] if parts.iter().all(|part| !part.is_empty()) => {
+                Ok(Self::new(building, level, room))
+            }
+            _ => Err(IdProblem { text: text.to_owned(), fact: "is not BUILDING/LEVEL/ROOM" }),
+        }
+    }
+}
 
 impl FromStr for ObjectId {
     type Err = IdProblem;
@@ -143,7 +168,7 @@ impl FromStr for ObjectId {
     fn from_str(text: &str) -> Result<Self, IdProblem> {
         let (class, number) = split(text)?;
         let number = u32::try_from(number).ok().filter(|&number| number > 0);
-        Ok(Self::new(class, number.ok_or_else(|| IdProblem(text.to_owned()))?))
+        Ok(Self::new(class, number.ok_or_else(|| IdProblem::without_number(text))?))
     }
 }
 
@@ -174,7 +199,7 @@ impl FromStr for ElementId {
 fn split(text: &str) -> Result<(&str, usize), IdProblem> {
     let parts = text.rsplit_once('.').filter(|(word, _)| !word.is_empty());
     let found = parts.and_then(|(word, number)| Some((word, number.parse().ok()?)));
-    found.ok_or_else(|| IdProblem(text.to_owned()))
+    found.ok_or_else(|| IdProblem::without_number(text))
 }
 
 /// Ids are texts in every file.

@@ -1,6 +1,7 @@
 //! Rejected edits.
 
 use std::collections::BTreeMap;
+use std::fmt;
 
 use crate::document::{Fault, Faults};
 
@@ -11,6 +12,12 @@ pub struct Misfit {
     pub fault: Fault,
     /// Whether the edit was applied all the same: the object stands at the edited place, and the audit has a finding.
     pub is_made: bool,
+}
+
+impl fmt::Display for Misfit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.fault.fmt(f)
+    }
 }
 
 impl Misfit {

@@ -101,8 +101,10 @@ fn materials(scene: &Scene) -> String {
             SceneMaterial::Slot { material, .. } => material,
             SceneMaterial::Own(own) => &own.material,
         };
-        let [red, green, blue, opacity] = look.base_color;
+        let [red, green, blue, alpha] = look.base_color;
         let [red, green, blue] = [red, green, blue].map(|channel| srgb_encoded(f64::from(channel)));
+        // OBJ knows no light that passes through: clear glass is as transparent as it lets light pass.
+        let opacity = alpha * (1.0 - look.transmission);
         let name = material_name(scene, index);
         let _ = writeln!(text, "newmtl {name}\nKd {red} {green} {blue}\nd {opacity}");
     }
@@ -117,7 +119,7 @@ fn a_level_is_written_with_all_its_corners_and_materials() {
         ..project.level_options()
     };
     let rooms = project.rooms(&options);
-    let room = rooms.furnish(&crate::RoomId::new("house", "ground", "living")).unwrap();
+    let room = rooms.furnish(&"house/ground/living".parse().unwrap()).unwrap();
     let scene = rooms.scene(&room);
     let shown = |_| scene.clone();
     let level = LevelToWrite { scene: &scene, path: "house/ground", shown: &shown };

@@ -5,11 +5,11 @@
 //!    below. `example.rs` is a complete format to copy, with its test; should yours be OBJ, move it. What takes several files
 //!    becomes a folder beside `gltf/`, with a row in ARCHITECTURE.md.
 //! 2. Add its line to `table.rs`; `--format`, `--help`, the manifest and its checks follow, and the test that formats write the same
-//!    files every time.
-//! 3. Name its files in the list at the beginning of `docs/output.md`. Files that are not read back end here: `audit`, `diff`,
+//!    files every time. (`roomwright formats` lists formats of plans alone.)
+//! 3. Name its files in the list "Files of other formats" of `docs/output.md`. Files that are not read back end here: `audit`, `diff`,
 //!    `edits capture` and the scripts take `.glb` and `.gltf`, and `scripts/validate.py` checks what the manifest says of others.
-//! 4. Test it in its file, as `example.rs` is: `cargo test --lib output::`, then `cargo test --test command_line formats`. Until a
-//!    version is released, CHANGELOG.md stays as it is.
+//! 4. Test it in its file, as `example.rs` is: `cargo test --lib output::`, then `cargo test --test command_line all_formats`,
+//!    `cargo fmt` and `cargo clippy --all-targets -- -D warnings`. Until a version is released, CHANGELOG.md stays as it is.
 //!
 //! What follows spares reading the scene and the batch; `GLB` in `gltf/output.rs` is the other format to read.
 //!
@@ -18,13 +18,15 @@
 //!   are unique in the level. They hold ids of the plan, and so any letter: spaces, quotes, `#` and `/`, too.
 //!   `docs/output.md`, "Nodes", says where the origin of a node is and where its front faces. A format with the axes of
 //!   plans takes [`crate::scene::plan_point`] (of a `DVec3`: nodes and corners are `f32`, so
-//!   `plan_point(point.as_dvec3()).as_vec3()`), `plan_angle` and `plan_rotation` to go back to x east, y north, z up;
+//!   `plan_point(point.as_dvec3()).as_vec3()`), `plan_angle` and `plan_rotation` to go back to x east, y north, z up: take what
+//!   programs for the format expect. The floor of every level lies at 0, and levels do not stack; `elevation` in the extras of the
+//!   root says how high it is;
 //! - the extras of a node ([`crate::contract::Extras`]), which say what it is; outlines, hinges and sides in them are in the axes
 //!   of plans already. `docs/output.md`, "Extras", describes them;
 //! - meshes (`mesh/model.rs`, all of whose fields `example.rs` uses): every corner has a unit normal, every triangle three indices.
 //!   Unless users ask for `--parts separate`, the walls of a room are one mesh (`walls@<room>`), and so are its other coverings;
-//! - materials (`mesh/material.rs` names the factors): colours are linear, [`crate::catalog::srgb_encoded`] makes them sRGB. What lamps
-//!   give off is `emissive`; of clear glass the share `transmission` of the light passes, so that without that effect its opacity is
+//! - materials (`mesh/material.rs` names the factors): colours are linear, [`crate::catalog::srgb_encoded`] makes each of them, an `f64` from 0 to 1, sRGB. What lamps
+//!   give off is `emissive`; of clear glass the share `transmission` (`f32`, 0 to 1) of the light passes, so that without that effect its opacity is
 //!   `base_color[3] * (1 - transmission)`.
 //!   With [`OutputFormat::shows_textures`], materials may show their colour by an image alone (`<palette>.swatches`);
 //!   without it each material has its own base colour, whatever textures the user asks for. Materials of users' models keep
@@ -34,7 +36,8 @@
 //! - the options of the user ([`LevelOptions`]). What they say of rooms and shapes has been done; a format that cannot do
 //!   what else they ask for (lights, variants, shared files) leaves it out.
 //!
-//! A level beyond the limits of a format is refused: `TooLarge { message, hint }`.
+//! A level beyond the limits of a format is refused: `TooLarge { message: String, hint: &'static str }`, how large it is and may be,
+//! and what helps.
 //!
 //! `batch` relies on this: the same scene at the same path gives the same files, whatever other levels were written before it and
 //! by however many threads.

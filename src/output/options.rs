@@ -16,7 +16,8 @@ use crate::texture::TextureSize;
 pub struct LevelOptions {
     /// Seed of all rooms; another number gives other rooms. Default 1.
     pub seed: u64,
-    /// Style or building style for rooms whose plan names none; default the catalogue's default style.
+    /// Style or building style for rooms whose plan names none; default the catalogue's default style. One that the catalogue does
+    /// not have counts as none: `Project::level_options_in` refuses it.
     pub style: Option<String>,
     /// How often a room is furnished at most until the audit finds nothing; default 16. More takes longer and leaves fewer
     /// findings (`docs/figures.md`, "Effort").

@@ -8,8 +8,10 @@
 mod plausible;
 mod read;
 mod rooms;
+mod unknown;
 mod writer;
 
 pub use read::{EditsChoice, Project, ProjectPaths};
-pub use rooms::{FinishedRoom, Rooms, UnknownRoom};
+pub use rooms::{FinishedRoom, Rooms};
+pub use unknown::{UnknownRoom, UnknownStyle};
 pub(crate) use writer::{RoomView, RoomWriter, WrittenRoom};

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::plausible::check_plausible;
 use super::rooms::Rooms;
+use super::unknown::UnknownStyle;
 use crate::batch::{BakeInput, BakeOptions, BakeReport, OutputFault, OutputFolder, bake};
 use crate::catalog::{Catalog, load_catalog};
 use crate::contract::RoomId;
@@ -134,6 +135,18 @@ impl Project {
         let defaults = LevelOptions::default();
         let ProjectSettings { seed, style, .. } = &self.settings;
         LevelOptions { seed: seed.unwrap_or(defaults.seed), style: style.clone(), ..defaults }
+    }
+
+    /// The same with a style or building style of the catalogue ([`Catalog::style_ids`]). A style that the plan names for a room
+    /// holds there all the same, and one that is made for other types of rooms than a room's leaves it the default style.
+    ///
+    /// # Errors
+    /// If the catalogue has no such style.
+    pub fn level_options_in(&self, style: &str) -> Result<LevelOptions, UnknownStyle> {
+        if !self.catalog.has_style(style) {
+            return Err(UnknownStyle::in_catalog(style, &self.catalog));
+        }
+        Ok(LevelOptions { style: Some(style.to_owned()), ..self.level_options() })
     }
 
     /// All rooms by their ids, in the order of the plan.

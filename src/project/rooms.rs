@@ -1,10 +1,10 @@
 //! Furnishes, judges, builds and writes one room on demand, without the other rooms of its level.
 
-use std::fmt;
 use std::slice::from_ref;
 use std::sync::OnceLock;
 
 use super::read::Project;
+use super::unknown::UnknownRoom;
 use super::writer::{RoomView, RoomWriter};
 use crate::audit::Verdict;
 use crate::contract::RoomId;
@@ -13,18 +13,6 @@ use crate::gltf::GltfError;
 use crate::layout::Furnished;
 use crate::output::LevelOptions;
 use crate::plan::{Level, PlacedBuilding};
-
-/// A room that the plan does not have.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct UnknownRoom(pub RoomId);
-
-impl fmt::Display for UnknownRoom {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the plan has no room {}", self.0)
-    }
-}
-
-impl std::error::Error for UnknownRoom {}
 
 /// A furnished room.
 #[derive(Clone, Debug)]
@@ -66,7 +54,8 @@ impl<'a> Rooms<'a> {
     /// # Errors
     /// If the plan has no such room.
     pub fn furnish(&self, id: &RoomId) -> Result<FinishedRoom<'_>, UnknownRoom> {
-        let (building, level, room) = self.find(id).ok_or_else(|| UnknownRoom(id.clone()))?;
+        let (building, level, room) =
+            self.find(id).ok_or_else(|| UnknownRoom::in_plan(id, &self.project.plan))?;
         let Finished { judged, misfits } =
             self.project.furnish_room(self.options, &building.id, level.room(room));
         Ok(FinishedRoom { building, level, furnished: judged.furnished, verdict: judged.verdict, misfits })
@@ -176,6 +165,25 @@ mod tests {
         let (project, options) = (house(), plain());
         let rooms = project.rooms(&options);
         let error = rooms.furnish(&RoomId::new("house", "ground", "ballroom")).unwrap_err();
-        assert_eq!(error.to_string(), "the plan has no room house/ground/ballroom");
+        assert_eq!(error.id.room, "ballroom");
+        let unknown = |id: &str| rooms.furnish(&id.parse().unwrap()).unwrap_err().to_string();
+        assert_eq!(
+            unknown("house/ground/livin"),
+            "the plan has no room house/ground/livin; did you mean \"living\"?"
+        );
+        assert!(unknown("house/cellar/living").ends_with("possible here: ground, upper"));
+        assert!(unknown("mill/ground/living").ends_with("possible here: house"));
+        assert_eq!(
+            "house/living".parse::<RoomId>().unwrap_err().to_string(),
+            "the id \"house/living\" is not BUILDING/LEVEL/ROOM"
+        );
+    }
+
+    #[test]
+    fn a_style_that_is_not_there_is_named() {
+        let project = house();
+        assert_eq!(project.level_options_in("home_modern").unwrap().style.as_deref(), Some("home_modern"));
+        let error = project.level_options_in("home_modem").unwrap_err();
+        assert_eq!(error.to_string(), "unknown style \"home_modem\"; did you mean \"home_modern\"?");
     }
 }

@@ -279,7 +279,7 @@ impl World {
     /// If the room cannot be made, which is a fault of the program.
     pub fn furnish(&self, id: &RoomId) -> Result<Arc<WorldRoom>, UnknownRoom> {
         let inputs = self.shared.inputs();
-        let key = inputs.key(id).ok_or_else(|| UnknownRoom(id.clone()))?;
+        let key = inputs.key(id).ok_or_else(|| UnknownRoom::in_plan(id, &inputs.project.plan))?;
         let mut store = self.shared.store();
         loop {
             if let Some(room) = store.ready(key) {

@@ -14,13 +14,25 @@
 //!    quantity is a line in each list of `quantity.rs`.
 //! 3. Add a limit of its own, if it has one: a line with the figure and its source or reason in `configs/audit.yaml`, and a
 //!    line with its unit (`Metres`, `Area`, `Degrees`, `Share`, `Factor`) in the list `thresholds!` of
-//!    `src/catalog/audit.rs`. A new section is `name: NameRules { ... }` there, which makes the struct, and `name:` in the
-//!    file; nothing else names it. A limit may join the section that fits: layout reads the limits that it names, and no
-//!    others.
+//!    `src/catalog/audit.rs`. A limit may join the section that fits: layout reads the limits that it names, and no
+//!    others. A new section is written like this, and nothing else names it:
+//!
+//!    ```text
+//!    /// How far light is from work.                 in thresholds! of src/catalog/audit.rs, between two other sections
+//!    lamps: LampRules {
+//!        /// Farthest lamp of a desk.
+//!        desk: Metres,
+//!    }
+//!
+//!      lamps:                                        in configs/audit.yaml, below `thresholds:`
+//!        desk: 1.5      # the arm of a desk lamp, and as much again
+//!    ```
 //! 4. Renew `docs/audit.md`, `docs/guide.md` and the schemas: `UPDATE_GOLDENS=1 cargo test --lib -- the_page_about_the_audit
-//!    published_schemas the_guide_lists_the_groups`. Levels whose rooms have the new finding change: `cargo test --test command_line
-//!    pinned` says so, and renews them with `UPDATE_GOLDENS=1`. Then `cargo test --lib -- audit`. Nothing else
-//!    lists the codes: the page of `view` is sent their meanings (`src/view/site.rs`), and `scripts/judge.py` has measures of its own. Until a version is released, CHANGELOG.md stays as it is.
+//!    published_schemas the_guide_lists_the_groups`. Rooms that have the new finding are furnished again for its sake, so that pinned
+//!    levels and drawings of the catalogue may change: `cargo test --test command_line -- pinned handbook` says so, and renews them
+//!    with `UPDATE_GOLDENS=1`. Then `cargo test --lib -- audit`, `cargo fmt` and `cargo clippy --all-targets -- -D warnings`. Nothing
+//!    else lists the codes: the page of `view` is sent their meanings (`src/view/site.rs`), and `scripts/judge.py` has measures of
+//!    its own. Until a version is released, CHANGELOG.md stays as it is.
 //!
 //! | quantity (`quantity.rs`) | unit of the figures | is |
 //! |---|---|---|
@@ -39,9 +51,9 @@
 //! |---|---|
 //! | room, level, furniture that found no place | `subject.at.room`, `subject.at.level`, `subject.furnished.removals` |
 //! | objects | `subject.bodies`, in the order of the placements: `class`, `placement`, `solids` in the level's frame, `bounds`, `low()` and `high()` (metres above the floor), `is_in(groups::SEAT)`, `is_standing(rules)`, `front()` (unit vector), `corners()` (of its box: the first two at its front, the last two at its back), `strip(Side::Front, margin, depth)` (the floor before a side); `placement.position` is the middle of the box |
-//! | groups of classes | constants of `audit/groups.rs`, where each has its word and meaning: `groups::SEAT`. `SCREEN` is televisions. Groups of the class files alone are asked for by their word, as in `body.is_in("soft_seat")` (armchairs, easy chairs and sofas; `computer_screen`; others: `grep -rhow "groups: .*" configs/classes`); what several checks ask for is a line `/// Meaning.` and `NAME: "word";` of the list in `groups.rs` |
+//! | groups of classes | constants of `audit/groups.rs`: `groups::SEAT` (stools and benches too), `BED`, `SLEEPING` (beds and cots), `SCREEN` (televisions, no computers), `WORK_SURFACE` (desks), `SURFACE` (tables and desks), `MIRROR`, `BATHING`, `TOILET`, `FIXTURE` (of bathrooms), `COOKING`, `SMALL` (held in a hand), `LIGHT` (lamps, those of the ceiling too), `MOVABLE` (chairs), `PLANT`, `WINDOW_DRESSING`, `DISPLAY_SURFACE`, `KITCHEN_TOP`. Groups of the class files alone are asked for by their word, as in `body.is_in("soft_seat")` (armchairs, easy chairs and sofas; `computer_screen`; others: `grep -rhow "groups: .*" configs/classes`); what several checks ask for is a line `/// Meaning.` and `NAME: "word";` of the list in `groups.rs` |
 //! | what belongs to what | `placement.parent` (`Parent::Object(index)` for what stands on or at another object; also `Floor`, `Wall(index)`, ...) and `placement.side`, the side of the parent; `subject.children(index)` of an object, directly; `subject.ancestors(index)`: the object, its parent, and so on; `subject.table_of(index)`: the table or desk that a seat stands at |
-//! | bodies near each other | `subject.near_boxes().touching(&bounds)`; for places `NearPoints` of `near.rs`. Not each body with each other: `audit/tests.rs` measures that the time of a verdict grows as the pieces do. Each body with each wall or opening is fine |
+//! | bodies near each other | `subject.near_boxes().touching(&bounds)`; for places `let lamps = NearPoints::new(indices.map(|index| (index, place(index))))` (`near.rs`), then `lamps.distance(here, place)`, metres to the nearest, if there is one, or `lamps.nearest(here)`, indices of the nearest 128. Not each body with each other: `audit/tests.rs` measures that the time of a verdict grows as the pieces do. Each body with each wall or opening is fine |
 //! | distances, in metres | `Segment::new(a, b).distance(point)`, `distance_to_convex(corners, point)`, `distance_of_convex(corners, others)` of `geometry`, 0 inside; rings have three corners or more |
 //! | style, limits | `subject.style()`, `subject.rules().alignment.angle`: metres, radians, shares |
 //! | the space before sides, doors and windows, and what is in it | `evidence.zones`, `evidence.hits` |
@@ -51,7 +63,7 @@
 //! | doors and windows of the room | `subject.at.room.openings`: each with its `wall`, the metres `from` and `to` along it, and `opening`, the index into `subject.at.level.openings`: `kind` (`OpeningKind::Window`, `Door`, `SlidingDoor`, `Passage`, `OpenBoundary`), `bottom`, `top`, `sides`, and its middle line: `center` (halfway through the wall), `along`, `width`. A window between two rooms counts like one to the open air, in both rooms; it has two `sides`, one to the open air has one |
 //! | whether the room is in the open air | `subject.catalog.households.homes.outdoors.contains(&subject.at.room.room_type)` |
 //! | a comparison with a limit | `use crate::audit::rounding::ROUNDING;`, then `measured > limit + ROUNDING` or `measured < limit - ROUNDING`; of two limits a fault has the one that was passed |
-//! | a fault | `Fault::new(Quantity::Angle, vec![subject.object(index), Subject::wall(wall)], measured, threshold)`, figures in the unit of the quantity; also `subject.opening(index)` (of the level), `Subject::column(index)`, `subject.class(index)` (of which a piece is missing); `.about(vec![body.strip(Side::Front, 0.0, limit).to_vec()])` marks floor, a ring of corners for each region |
+//! | a fault | `Fault::new(Quantity::Angle, vec![subject.object(index), Subject::wall(wall)], measured, threshold)`, figures in the unit of the quantity; also `subject.opening(index)` (of the level), `Subject::column(index)`, `subject.class(index)` (of which a piece is missing); `.about(vec![body.strip(Side::Front, 0.0, limit).to_vec()])` marks floor, a ring of corners for each region. Answers list the subjects sorted by id |
 //! | a room in a test | `let mut room = TestRoom::rectangle(3.0, 3.0)` (`audit/testing.rs`) with the classes `chest` (1 × 1 × 0.8 m), `stool` (0.4 × 0.4 × 0.45 m), `table`, `desk`, `lamp`, `picture`; `room.stand("chest", at(1.5, 0.7))` or `room.add("chest", at(1.5, 0.7), Parent::Wall(0))` give the index of an object (wall 0 is the south wall, 1 the east wall; at angle 0 fronts face south). A seat at a desk: `let stool = room.add("stool", at(1.5, 0.8), Parent::Object(desk))` at its front, then `room.placements[stool].side = Side::Front` and `.angle = PI`, so that it faces the desk, with the groups `SEAT` and `SURFACE`; `room.group("chest", groups::PLANT)`, `room.open(wall, OpeningKind::Window, (from, to), (bottom, top))`; `room.count(Code::Crooked)`, `room.audit()` |
 
 mod access;

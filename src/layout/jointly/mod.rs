@@ -214,8 +214,7 @@ fn niche_places(environment: &mut Environment<'_>, agent: AgentIndex, stream: &m
         ways.retain(|way| {
             !way.is_poor && rules::fills_niche(environment, agent, &way.standing.place, niche::LEDGE)
         });
-        ways.iter_mut()
-            .for_each(|way| way.points += std::env::var("NICHE").map_or(NICHE, |v| v.parse().unwrap()));
+        ways.iter_mut().for_each(|way| way.points += NICHE);
         found.extend(ways);
     }
     // Stable: of equal points the earlier one comes first.
