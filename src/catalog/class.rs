@@ -380,8 +380,10 @@ pub struct WallWishes {
     pub with: Vec<(Vec<ClassIndex>, f64)>,
     /// Points for each metre that the wall is long, up to 4 m.
     pub metre: f64,
-    /// Points where its left or right side is closed, by another wall or by what stands there; half of them where half of it is.
+    /// Points where its left or right side is closed, by another wall or by what stands there.
     pub corner: f64,
+    /// Points where half of one of them is closed.
+    pub half_corner: f64,
 }
 
 /// A regular layout on a side (section 3.3).

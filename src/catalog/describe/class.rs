@@ -127,7 +127,9 @@ fn show_walls(catalog: &Catalog, walls: &WallWishes) -> String {
     let tags = walls.tags.iter().map(|(tag, points)| format!("{tag} {:+}", rounded(*points)));
     let metre = (walls.metre != 0.0).then(|| format!("each metre {:+}", rounded(walls.metre)));
     let corner = (walls.corner != 0.0).then(|| format!("in a corner {:+}", rounded(walls.corner)));
-    tags.chain(with).chain(metre).chain(corner).collect::<Vec<_>>().join(", ")
+    let half_corner =
+        (walls.half_corner != 0.0).then(|| format!("in half a corner {:+}", rounded(walls.half_corner)));
+    tags.chain(with).chain(metre).chain(corner).chain(half_corner).collect::<Vec<_>>().join(", ")
 }
 
 fn show_relation(catalog: &Catalog, relation: &Relation) -> String {

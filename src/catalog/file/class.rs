@@ -110,6 +110,8 @@ pub(crate) struct WallsEntry {
     pub(crate) metre: Option<f64>,
     /// Points in a corner: where its left or right side is closed, by another wall or by what stands there; default 0.
     pub(crate) corner: Option<f64>,
+    /// Points where half of its left or right side is closed, as by a jog of the wall beside its head; default 0.
+    pub(crate) half_corner: Option<f64>,
 }
 
 /// The light of a lamp.

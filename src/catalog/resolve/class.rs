@@ -124,7 +124,7 @@ fn resolve_eras(chain: &Chain<'_, ClassEntry>) -> Vec<Era> {
 
 fn resolve_walls(chain: &Chain<'_, ClassEntry>, names: &Names<'_>, report: &mut Report<'_>) -> WallWishes {
     let Some(found) = chain.find("walls", |entry| entry.walls.as_ref()) else { return WallWishes::default() };
-    let WallsEntry { tags, with, metre, corner } = found.value;
+    let WallsEntry { tags, with, metre, corner, half_corner } = found.value;
     let mut wishes = WallWishes::default();
     for (tag, points) in tags {
         let spot = found.spot.key("tags").key(tag);
@@ -137,6 +137,7 @@ fn resolve_walls(chain: &Chain<'_, ClassEntry>, names: &Names<'_>, report: &mut 
     }
     wishes.metre = POINTS.check(metre.unwrap_or(0.0), &found.spot.key("metre"), report);
     wishes.corner = POINTS.check(corner.unwrap_or(0.0), &found.spot.key("corner"), report);
+    wishes.half_corner = POINTS.check(half_corner.unwrap_or(0.0), &found.spot.key("half_corner"), report);
     wishes
 }
 

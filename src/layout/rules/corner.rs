@@ -1,6 +1,7 @@
 //! Whether the sides of a piece are closed: a bath, a shower or a bed for one stands in a corner, with a wall at its back and
 //! something at one side; in a niche both sides are closed.
 
+use crate::catalog::WallWishes;
 use crate::geometry::{Convex, Point, Solid};
 use crate::layout::environment::Environment;
 use crate::layout::place::{AgentIndex, Place};
@@ -13,12 +14,18 @@ const SHARES: [f64; 2] = [-0.3, 0.3];
 /// Metres of the side that are asked at each of them.
 const LENGTH: f64 = 0.1;
 
-/// How much of the left or the right side of an agent is closed at a place, by a wall or by what stands there: of the two the
-/// larger share, 0 to 1.
-pub(super) fn share_in_corner(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> f64 {
-    let closed =
-        |side: f64| closed_parts(environment, agent, place, (side, JOINT)) as f64 / SHARES.len() as f64;
-    closed(-1.0).max(closed(1.0))
+/// The points of an agent for how much of its left or its right side is closed at a place, by a wall or by what stands there.
+pub(super) fn corner_points(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> f64 {
+    let WallWishes { corner, half_corner, .. } = environment.class(agent).walls;
+    if corner == 0.0 && half_corner == 0.0 {
+        return 0.0;
+    }
+    let closed = |side: f64| closed_parts(environment, agent, place, (side, JOINT));
+    match closed(-1.0).max(closed(1.0)) {
+        0 => 0.0,
+        parts if parts < SHARES.len() => half_corner,
+        _ => corner,
+    }
 }
 
 /// Whether both sides of an agent are closed at a place, one at most so many metres away, the other at a joint.
@@ -59,7 +66,7 @@ mod tests {
         bed.parents = vec![ParentRule { tag: Some("here".to_owned()), ..at_wall }];
         // Who needs space compares places.
         bed.clearances = vec![Clearance::SEAT];
-        bed.walls.corner = 3.0;
+        (bed.walls.corner, bed.walls.half_corner) = (3.0, 1.5);
         // The wall for it ends at a jog of 0.6 m, and at a slanted wall that closes no side.
         let mut level = level(&[(0.0, 0.0), (6.0, 0.0), (7.0, 3.0), (0.6, 3.0), (0.6, 2.4), (0.0, 2.4)]);
         level.rooms[0].walls[2].tags.push("here".to_owned());

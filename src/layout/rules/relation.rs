@@ -13,7 +13,7 @@ use crate::layout::environment::Environment;
 use crate::layout::place::{AgentIndex, ParentPart, Place};
 use crate::plan::OpeningKind;
 
-use super::corner::share_in_corner;
+use super::corner::corner_points;
 use super::swing::clearness;
 
 /// Radians beyond the good angle over which a wish about direction fades to nothing.
@@ -125,7 +125,7 @@ pub(crate) fn weigh<'a>(
 
 /// The points of the wall that a place is at.
 fn liking(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> f64 {
-    let (ParentPart::Wall(index), WallWishes { tags, with, metre, corner }) =
+    let (ParentPart::Wall(index), WallWishes { tags, with, metre, .. }) =
         (place.parent, &environment.class(agent).walls)
     else {
         return 0.0;
@@ -137,9 +137,8 @@ fn liking(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> f6
     };
     // Once for each line, however many pieces of it stand there.
     let of_others = with.iter().filter(|(classes, _)| environment.resting_of(classes).any(is_here));
-    let in_corner = if *corner == 0.0 { 0.0 } else { corner * share_in_corner(environment, agent, place) };
     of_tags.sum::<f64>()
-        + in_corner
+        + corner_points(environment, agent, place)
         + of_others.map(|(_, points)| points).sum::<f64>()
         + metre * wall.length().min(LONG_WALL)
 }
