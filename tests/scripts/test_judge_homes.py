@@ -155,6 +155,19 @@ def test_a_measure_tells_the_room_that_passes_from_the_one_that_fails(code, tmp_
     assert judge(failing).faults != ()
 
 
+def test_a_bed_is_closed_by_a_jog_and_by_its_twin_at_the_wall(tmp_path):
+    judge = MEASURES["bed_along_wall"].judge
+    alone = ("single_bed", 2.0, 1.0, "north", SINGLE[1])
+    assert judge(house("bedroom").piece(*alone).read(tmp_path)).faults != ()
+    for depth, is_closed in ((0.6, True), (0.4, False)):
+        jog = house("bedroom").piece(*alone).piece("wardrobe", 2.9, depth / 2, "north", (0.9, depth, 2.0)).read(tmp_path)
+        assert (judge(jog).faults == ()) == is_closed
+    for between, is_closed in ((1.07, True), (1.4, False)):
+        twins = house("bedroom").piece("single_bed", 0.45, 1.0, "north", SINGLE[1])
+        twins.piece("single_bed", 1.35 + between, 1.0, "north", SINGLE[1])
+        assert (judge(twins.read(tmp_path)).faults == ()) == is_closed
+
+
 def test_a_larger_bedroom_with_two_single_beds_is_for_two(tmp_path):
     judge = MEASURES["single_in_larger_bedroom"].judge
     twin = flat("single_bed", "double_bed").piece("single_bed", 3.0, 1.0, "north", (1.0, 2.0, 0.6))

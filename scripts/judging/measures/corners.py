@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy
 import shapely
 
 from ..floors import Room
@@ -19,6 +20,9 @@ BATH_GAP = (0.12, 0.6)
 # of a bed along a quarter of its length, half a metre: who sits up in it leans there, or rolls no farther.
 BED_GAP = 0.1
 BED_SHARE = 0.25
+# Metres between the sides of twin beds at most, a way beside each (HUD: 1.07), and by which one is before the other at most.
+TWIN_GAP = 1.2
+TWIN_SHIFT = 0.3
 # Metres before a screen's stand that stay empty, metres of height over which a piece is in the way, and square metres of it.
 BEFORE = 0.8
 IN_THE_WAY = 0.55
@@ -97,8 +101,20 @@ def leaned_on(room: Room, bed: Piece, name: str) -> float:
 
 
 def judge_beds(room: Room) -> Answer | None:
+    """Of twin beds, which stand side by side, one is enough at the wall."""
     beds = room.of(SINGLE_BEDS | {"bunk_bed"})
-    return closed_at_a_side({bed.id: min(leaned_on(room, bed, name) for name in ("left", "right")) for bed in beds}, BED_GAP)
+    gaps = {bed.id: min(leaned_on(room, bed, name) for name in ("left", "right")) for bed in beds}
+    leaning = [bed for bed in beds if gaps[bed.id] <= BED_GAP]
+    free = [bed for bed in beds if not any(bed is other or are_twins(bed, other) for other in leaning)]
+    return closed_at_a_side({bed.id: gaps[bed.id] for bed in free or leaning}, BED_GAP)
+
+
+def are_twins(one: Piece, other: Piece) -> bool:
+    """Whether two beds look the same way, with no more than a way between their long sides."""
+    outward, across = one.side("front")[2], one.side("left")[2]
+    between = other.footprint.centroid.coords[0] - numpy.array(one.footprint.centroid.coords[0])
+    is_beside = abs(float(between @ outward)) < TWIN_SHIFT and abs(float(between @ across)) > TWIN_SHIFT
+    return is_beside and float(outward @ other.side("front")[2]) > 0.99 and one.footprint.distance(other.footprint) <= TWIN_GAP
 
 
 def judge_before_screens(room: Room) -> Answer | None:
@@ -118,6 +134,6 @@ MEASURES = [
     Measure("kitchen_end_gap", "rows of units reach the walls at their ends", "m", "≤ 0.03, or ≥ 0.6", SOURCE, judge_kitchen_ends),
     Measure("bath_corner", "tubs and showers stand in a corner", "m", "≤ 0.04", SOURCE, judge_bath_corners),
     Measure("bath_niche", "they leave no useless rest of a niche", "m", "≤ 0.12, or ≥ 0.6", SOURCE, judge_bath_niches),
-    Measure("bed_along_wall", "a bed for one has a long side at a wall or a piece", "m", "≤ 0.1", SOURCE, judge_beds),
+    Measure("bed_along_wall", "a bed for one has a long side at a wall or a piece; of twin beds one", "m", "≤ 0.1", SOURCE, judge_beds),
     Measure("before_screen", "nothing high stands right before a television", "", "0.8 m; 0.55 m high", SOURCE, judge_before_screens),
 ]
