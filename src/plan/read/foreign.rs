@@ -127,6 +127,12 @@ pub(super) fn slug(name: &str) -> String {
     slug.trim_end_matches('_').to_owned()
 }
 
+/// The id of a building that only its file names; `otherwise` for a name without a Latin letter or digit.
+pub(super) fn id_of_file(path: &Path, otherwise: &str) -> String {
+    let id = slug(&path.file_stem().unwrap_or_default().to_string_lossy());
+    if id.is_empty() { otherwise.to_owned() } else { id }
+}
+
 /// Both values, or the faults of both.
 pub(super) fn both<A, B>(first: Result<A, Faults>, second: Result<B, Faults>) -> Result<(A, B), Faults> {
     match (first, second) {
@@ -142,6 +148,12 @@ pub(super) fn both<A, B>(first: Result<A, Faults>, second: Result<B, Faults>) ->
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_building_is_named_as_its_file_without_the_ending() {
+        assert_eq!(id_of_file(Path::new("plans/My flat (2).json"), "plan"), "my_flat_2");
+        assert_eq!(id_of_file(Path::new("未命名.json"), "plan"), "plan");
+    }
 
     #[test]
     fn thousands_of_unknown_words_are_counted_instead_of_listed() {

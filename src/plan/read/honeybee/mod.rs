@@ -36,7 +36,7 @@ use self::model::{Place, Storey, part};
 use self::notes::Notes;
 use self::room_types::{NAME, Naming};
 use self::schema::{Building, Model};
-use super::foreign::slug;
+use super::foreign::{id_of_file, slug};
 use super::reader::{DraftedBuilding, ForeignFormat, ReadBuildings, ReadFormat, ReadResult};
 use super::sample::Sample;
 use crate::document::{Fault, Source, did_you_mean};
@@ -90,8 +90,7 @@ fn read(path: &Path, words: &RoomWords) -> ReadResult {
     let source = Source::read(path)?;
     let model: Model = source.parse()?;
     let mut notes = Notes::new(source);
-    let stem = slug(&path.file_stem().unwrap_or_default().to_string_lossy());
-    let stem = if stem.is_empty() { "model".to_owned() } else { stem };
+    let stem = id_of_file(path, "model");
     let Some(unit) = checked(&model, &mut notes) else { return Err(notes.finish()) };
     let mut naming = Naming { words, unknown: BTreeMap::new() };
     let mut drafted = Vec::new();

@@ -29,7 +29,7 @@ use serde_json::Value;
 use self::level::Classes;
 use self::notes::{NAME, Notes};
 use self::sheet::sheets;
-use super::foreign::slug;
+use super::foreign::{id_of_file, slug};
 use super::reader::{DraftedBuilding, ForeignFormat, ReadBuildings, ReadFormat, ReadResult};
 use super::sample::Sample;
 use crate::document::{Fault, Source};
@@ -89,8 +89,7 @@ fn read(path: &Path, options: &PlanOptions<'_>) -> ReadResult {
     let value: Value = source.parse()?;
     let mut notes = Notes::new(source);
     let mut classes = Classes::new(options.words);
-    let stem = slug(&path.file_stem().unwrap_or_default().to_string_lossy());
-    let stem = if stem.is_empty() { NAME.to_owned() } else { stem };
+    let stem = id_of_file(path, NAME);
     let sheets = sheets(&value, &mut notes);
     let is_single = sheets.len() == 1;
     let given = options.planning.and_then(|planning| planning.choices.metres_per_unit);

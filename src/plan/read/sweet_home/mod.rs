@@ -41,7 +41,7 @@ use self::level::Storey;
 use self::pieces::is_furniture;
 use self::rooms::Naming;
 use super::drawn::DrawnPiece;
-use super::foreign::{head, slug};
+use super::foreign::{head, id_of_file};
 use super::reader::{DraftedBuilding, ForeignFormat, ReadBuildings, ReadFormat, ReadResult};
 use crate::document::{Fault, Faults, counted};
 use crate::geometry::Point;
@@ -154,10 +154,9 @@ fn warn_of_furniture(storeys: &[Storey<'_>], notes: &mut Notes) {
     }
 }
 
-/// The id of a building: the name of its file.
+/// The id of a building, the same for its furniture.
 fn id(path: &Path) -> String {
-    let id = slug(&path.file_stem().unwrap_or_default().to_string_lossy());
-    if id.is_empty() { "home".to_owned() } else { id }
+    id_of_file(path, "home")
 }
 
 /// The title that the home has; the application writes the path of its file there, of which the last part is one.

@@ -29,7 +29,7 @@ use recognise::{SitFormat, recognises};
 use super::remarks::Remarks;
 use crate::document::{Fault, Faults};
 use crate::plan::RoomWords;
-use crate::plan::read::foreign::slug;
+use crate::plan::read::foreign::id_of_file;
 use crate::plan::read::osm::{Elements, PbfFile, XmlFile};
 use crate::plan::read::reader::{ForeignFormat, ReadFormat, ReadResult};
 
@@ -52,8 +52,7 @@ pub(crate) const FORMAT: ForeignFormat = ForeignFormat {
 
 /// Reads the buildings of a file that have rooms.
 fn read(path: &Path, words: &RoomWords) -> ReadResult {
-    let own_id = slug(&path.file_stem().unwrap_or_default().to_string_lossy());
-    let own_id = if own_id.is_empty() { "map".to_owned() } else { own_id };
+    let own_id = id_of_file(path, "map");
     match recognises(path) {
         Some(SitFormat::Xml) => read_elements(&XmlFile::open(path)?, &own_id, words),
         Some(SitFormat::Pbf) => read_elements(&PbfFile::open(path)?, &own_id, words),
