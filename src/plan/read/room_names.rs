@@ -1,6 +1,57 @@
 //! Finds the room types of names that people give to rooms, in many languages: the longest known words in them.
 
+use std::collections::BTreeMap;
+
+use super::foreign::{TypeOfWord, unknown_words};
 use crate::plan::{GENERIC_ROOM_TYPE, RoomWords};
+
+/// Gives rooms the types that their names say, and remembers the names that no table knows. `P` is a place in the file.
+#[derive(Debug)]
+pub(super) struct TypedNames<'a, P> {
+    /// The table.
+    pub(super) words: &'a RoomWords,
+    /// Sections of `formats` in `room_words.yaml`; hints name the first.
+    formats: [&'static str; 2],
+    /// Name → (its first place, how many rooms have it).
+    unknown: BTreeMap<String, (P, usize)>,
+}
+
+impl<'a, P> TypedNames<'a, P> {
+    /// Of a format: its own section comes first, if there is one, then that of `ifc`, which has the words of many languages.
+    pub(super) fn new(words: &'a RoomWords, format: &'static str) -> Self {
+        Self { words, formats: [format, "ifc"], unknown: BTreeMap::new() }
+    }
+
+    /// The type of a room by its name; a room without one is guessed, and no unknown word is reported.
+    pub(super) fn of_name(&mut self, name: Option<&str>, place: impl FnOnce() -> P) -> TypeOfWord {
+        let words = plain_words(name.unwrap_or_default());
+        self.of_texts(&[&words], &words, place)
+    }
+
+    /// The type of a room by the words of several texts, as [`most_telling`]; if none is known, `said` is reported.
+    pub(super) fn of_texts(
+        &mut self,
+        texts: &[&[String]],
+        said: &[String],
+        place: impl FnOnce() -> P,
+    ) -> TypeOfWord {
+        let found =
+            most_telling(texts.iter().filter_map(|text| type_of_words(self.words, &self.formats, text)));
+        let said = said.join(" ");
+        if let Some(found) = found {
+            return TypeOfWord::known(&said, found);
+        }
+        if !said.is_empty() {
+            self.unknown.entry(said.clone()).or_insert_with(|| (place(), 0)).1 += 1;
+        }
+        TypeOfWord::unknown(&said)
+    }
+
+    /// Place, fact and hint of each unknown name.
+    pub(super) fn unknown(&self) -> impl Iterator<Item = (&P, String, String)> {
+        unknown_words(self.formats[0], &self.unknown)
+    }
+}
 
 /// The room type of the longest run of words that the table of one of the formats knows; of equals the last, which mostly
 /// carries the sense ("kitchen store").

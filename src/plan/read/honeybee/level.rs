@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::model::{Space, Storey, part};
 use super::notes::{Notes, STEPPED};
 use super::openings::openings;
-use super::room_types::Naming;
+use super::room_types::{Naming, type_of};
 use crate::plan::limits::{BUILDING_LEVELS, BUILDING_ROOMS, LEVEL_OPENINGS};
 use crate::plan::read::foreign::{TypeOfWord, slug};
 use crate::plan::read::native::number_of_id;
@@ -118,7 +118,7 @@ fn draft(storey: &Storey, above: Option<f64>, naming: &mut Naming<'_>, notes: &m
     let height = storey.height.filter(is_storey).or(above.filter(is_storey));
     let mut numbers = BTreeSet::new();
     let mut room = |space: &Space| {
-        let TypeOfWord { room_type, unknown_word } = naming.type_of(space);
+        let TypeOfWord { room_type, unknown_word } = type_of(space, naming);
         let id = space.id.replace('/', "_");
         let number = number_of_id(&id);
         RoomDraft {

@@ -29,7 +29,7 @@ mod real_models;
 #[cfg(test)]
 mod tests;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use self::model::{Place, Storey, part};
@@ -92,7 +92,7 @@ fn read(path: &Path, words: &RoomWords) -> ReadResult {
     let mut notes = Notes::new(source);
     let stem = id_of_file(path, "model");
     let Some(unit) = checked(&model, &mut notes) else { return Err(notes.finish()) };
-    let mut naming = Naming { words, unknown: BTreeMap::new() };
+    let mut naming = Naming::new(words, NAME);
     let mut drafted = Vec::new();
     let mut add = |id: String, name: Option<&String>, levels| {
         let draft = BuildingDraft { name: name.cloned(), levels, ..BuildingDraft::default() };
@@ -113,7 +113,9 @@ fn read(path: &Path, words: &RoomWords) -> ReadResult {
         let levels = level::drafts(storeys::storeys(spaces, &place), &mut naming, &mut notes);
         add(stem, model.display_name.as_ref(), levels);
     }
-    notes.unknown_words(NAME, &naming.unknown);
+    for (place, message, hint) in naming.unknown() {
+        notes.warn(place, message, &hint);
+    }
     let has_rooms = drafted.iter().any(|building| !building.draft.levels.is_empty());
     let mut faults = notes.finish();
     if !has_rooms && !faults.has_errors() {

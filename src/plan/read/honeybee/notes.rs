@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 
 use super::model::Place;
 use crate::document::{FaultSeverity, Faults, Source, counted};
-use crate::plan::read::foreign::unknown_words;
 use crate::plan::read::told::ToldFaults;
 
 /// Something that is said once for all parts of a model.
@@ -121,13 +120,6 @@ impl Notes {
     #[cfg(test)]
     pub(super) fn counted(&self, topic: Topic) -> usize {
         self.topics.get(&topic).map_or(0, |(_, count)| *count)
-    }
-
-    /// Warnings for words that the table of a format lacks.
-    pub(super) fn unknown_words(&mut self, format: &str, unknown: &BTreeMap<String, (Place, usize)>) {
-        for (place, message, hint) in unknown_words(format, unknown) {
-            self.warn(place, message, &hint);
-        }
     }
 
     pub(super) fn finish(mut self) -> Faults {

@@ -1,11 +1,10 @@
 //! The real models beside the project: their adjacencies, openings and areas.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 
 use super::model::{Space, Storey};
 use super::notes::Notes;
-use super::room_types::Naming;
+use super::room_types::{NAME, Naming};
 use super::schema::Model;
 use super::{checked, level, room3d, storeys, storeys_of};
 use crate::document::{Faults, Source};
@@ -45,7 +44,8 @@ fn figures(path: &Path) -> Figures {
     }
     let mut figures = Figures::default();
     for storey in buildings.into_iter().flatten() {
-        let mut naming = Naming { words: &words(), unknown: BTreeMap::new() };
+        let words = words();
+        let mut naming = Naming::new(&words, NAME);
         let spaces = storey.spaces.clone();
         let draft = level::drafts(vec![Storey { repeat: 1, ..storey }], &mut naming, &mut notes).pop();
         let Some(draft) = draft else { continue };

@@ -1,43 +1,26 @@
 //! Finds the room types of spaces by their names and programs, and tells plenums.
 
-use std::collections::BTreeMap;
-
 use super::model::{Place, Space};
 use crate::geometry::signed_area;
-use crate::plan::RoomWords;
 use crate::plan::read::foreign::TypeOfWord;
-use crate::plan::read::room_names::{most_telling, plain_words, type_of_words};
+use crate::plan::read::room_names::{TypedNames, plain_words};
 
 /// The section of `formats` in `room_words.yaml`, and the word in the answers of `formats`.
 pub(super) const NAME: &str = "ladybug";
 /// Square metres from which the zone of a flat is the whole flat and no room of it.
 const WHOLE_FLAT: f64 = 30.0;
 
-/// Gives spaces their types, and remembers the words that no table has.
-pub(super) struct Naming<'a> {
-    pub(super) words: &'a RoomWords,
-    /// Word → (its first place, how many rooms have it).
-    pub(super) unknown: BTreeMap<String, (Place, usize)>,
-}
+/// The types of spaces.
+pub(super) type Naming<'a> = TypedNames<'a, Place>;
 
-impl Naming<'_> {
-    /// The type of a space: by its name, which people gave it, then by its program, which may be that of a whole building.
-    pub(super) fn type_of(&mut self, space: &Space) -> TypeOfWord {
-        let name = name_words(space.name.as_deref());
-        let program = program_words(space);
-        let formats = [NAME, "ifc"];
-        // The identifier is the name of rooms without another.
-        let own = if space.name.is_none() { name_words(Some(&space.identifier)) } else { Vec::new() };
-        let types = [&name, &own, &program].map(|words| type_of_words(self.words, &formats, words));
-        let said = if program.is_empty() { name.join(" ") } else { program.join(" ") };
-        if let Some(found) = most_telling(types.into_iter().flatten()) {
-            return TypeOfWord::known(&said, found);
-        }
-        if !said.is_empty() {
-            self.unknown.entry(said.clone()).or_insert_with(|| (space.place.clone(), 0)).1 += 1;
-        }
-        TypeOfWord::unknown(&said)
-    }
+/// The type of a space: by its name, which people gave it, then by its program, which may be that of a whole building.
+pub(super) fn type_of(space: &Space, naming: &mut Naming<'_>) -> TypeOfWord {
+    let name = name_words(space.name.as_deref());
+    let program = program_words(space);
+    // The identifier is the name of rooms without another.
+    let own = if space.name.is_none() { name_words(Some(&space.identifier)) } else { Vec::new() };
+    let said = if program.is_empty() { &name } else { &program };
+    naming.of_texts(&[&name, &own, &program], said, || space.place.clone())
 }
 
 /// The words of a program: those behind its building, `2019::MidriseApartment::Corridor`.

@@ -1,9 +1,6 @@
 //! Collects the faults of a home at their places in its text.
 
-use std::collections::BTreeMap;
-
 use crate::document::{Faults, Source};
-use crate::plan::read::foreign::unknown_words;
 use crate::plan::read::told::ToldFaults;
 
 /// The faults so far.
@@ -40,13 +37,6 @@ impl Notes {
             let fault = source.fault_at(Some(position(source.text(), lines, place)), message).with_hint(hint);
             if is_warning { fault.as_warning() } else { fault }
         });
-    }
-
-    /// Warnings for words that the table of a format lacks.
-    pub(super) fn unknown_words(&mut self, format: &str, unknown: &BTreeMap<String, (usize, usize)>) {
-        for (place, message, hint) in unknown_words(format, unknown) {
-            self.warn(*place, message, &hint);
-        }
     }
 
     pub(super) fn finish(self) -> Faults {

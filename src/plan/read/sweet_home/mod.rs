@@ -31,7 +31,6 @@ mod xml;
 #[cfg(test)]
 mod tests;
 
-use std::collections::BTreeMap;
 use std::path::Path;
 
 use self::container::{is_archive, read_text};
@@ -90,9 +89,11 @@ fn read(path: &Path, options: &PlanOptions<'_>) -> ReadResult {
     let mut notes = Notes::new(read_text(path)?);
     let Some(home) = xml::read_home(&mut notes) else { return Err(notes.finish()) };
     let storeys = level::storeys(&home, &mut notes);
-    let mut naming = Naming { words: options.words, unknown: BTreeMap::new() };
+    let mut naming = Naming::new(options.words, NAME);
     let levels = level::drafts(&storeys, &mut naming, &mut notes);
-    notes.unknown_words(NAME, &naming.unknown);
+    for (place, message, hint) in naming.unknown() {
+        notes.warn(*place, message, &hint);
+    }
     if !options.keeps_furniture {
         warn_of_furniture(&storeys, &mut notes);
     }

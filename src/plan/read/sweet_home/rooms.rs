@@ -4,40 +4,21 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::faces::Bodies;
 use super::faults::Notes;
-use super::home::{HomeRoom, NAME, Piece};
+use super::home::{HomeRoom, Piece};
 use crate::geometry::{Bounds, Point, ring_contains};
 use crate::plan::assemble::BoxIndex;
 use crate::plan::limits::LEVEL_ROOMS;
 use crate::plan::read::foreign::{TypeOfWord, slug};
 use crate::plan::read::native::number_of_id;
-use crate::plan::read::room_names::{plain_words, type_of_words};
+use crate::plan::read::room_names::{TypedNames, plain_words};
 use crate::plan::read::walled::WalledArea;
 use crate::plan::{RoomDraft, RoomWords};
 
 /// Rooms of a level that are compared with its walls; larger levels are no homes.
 const MOST_COMPARED: usize = 5_000;
 
-/// Gives rooms their types, and remembers the words that no table has.
-pub(super) struct Naming<'a> {
-    pub(super) words: &'a RoomWords,
-    /// Word → (its first place, how many rooms have it).
-    pub(super) unknown: BTreeMap<String, (usize, usize)>,
-}
-
-impl Naming<'_> {
-    /// The type of a room; one without a name is guessed without a word about it.
-    fn type_of(&mut self, room: &HomeRoom) -> TypeOfWord {
-        let words = plain_words(room.name.as_deref().unwrap_or_default());
-        if let Some(found) = type_of_words(self.words, &[NAME, "ifc"], &words) {
-            return TypeOfWord::known(&words.join(" "), found);
-        }
-        let said = words.join(" ");
-        if !said.is_empty() {
-            self.unknown.entry(said.clone()).or_insert((room.place, 0)).1 += 1;
-        }
-        TypeOfWord::unknown(&said)
-    }
-}
+/// The types of rooms; a place is a byte of the text.
+pub(super) type Naming<'a> = TypedNames<'a, usize>;
 
 /// The rooms of a level as they are drawn, cut back where they are drawn into the walls.
 pub(super) fn drawn_rooms(
@@ -64,7 +45,7 @@ pub(super) fn drawn_rooms(
         }
         let WalledArea { outline, holes } =
             cut.unwrap_or_else(|| WalledArea { outline: room.outline.clone(), holes: Vec::new() });
-        let TypeOfWord { room_type, unknown_word } = naming.type_of(room);
+        let TypeOfWord { room_type, unknown_word } = naming.of_name(room.name.as_deref(), || room.place);
         let id = ids.free(room.name.as_deref().unwrap_or_default(), room.id.as_deref());
         let number = ids.free_number(&id);
         let name = room.name.clone();
