@@ -1,6 +1,6 @@
 //! Faults of one file, of which so many are reported one by one: a file of which each element is damaged would fill the screen.
 
-use crate::document::{Fault, Faults};
+use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source};
 
 /// Faults that are reported one by one.
 const MOST_FAULTS: usize = 200;
@@ -36,4 +36,46 @@ impl ToldFaults {
         }
         self.faults
     }
+}
+
+/// The faults of a JSON or YAML file so far, at the paths of its parts.
+pub(super) struct DocumentFaults {
+    source: Source,
+    told: ToldFaults,
+}
+
+impl DocumentFaults {
+    /// Of a file without faults so far.
+    pub(super) fn new(source: Source) -> Self {
+        Self { source, told: ToldFaults::default() }
+    }
+
+    /// A part that is left out.
+    pub(super) fn error(&mut self, path: &[PathStep], message: impl Into<String>, hint: &str) {
+        self.told.push(|| fault(&self.source, path, (message.into(), hint), FaultSeverity::Error));
+    }
+
+    /// A part that is read otherwise than it is written.
+    pub(super) fn warn(&mut self, path: &[PathStep], message: impl Into<String>, hint: &str) {
+        self.told.push(|| fault(&self.source, path, (message.into(), hint), FaultSeverity::Warning));
+    }
+
+    /// As [`Self::warn`], of many parts at once, here at the first of them: it is reported whatever else is.
+    pub(super) fn warn_always(&mut self, path: &[PathStep], message: impl Into<String>, hint: &str) {
+        self.told.push_always(fault(&self.source, path, (message.into(), hint), FaultSeverity::Warning));
+    }
+
+    /// All that are reported, and how many more there are.
+    pub(super) fn finish(self) -> Faults {
+        self.told.finish(|message| self.source.fault_at(None, message))
+    }
+}
+
+fn fault(
+    source: &Source,
+    path: &[PathStep],
+    (message, hint): (String, &str),
+    severity: FaultSeverity,
+) -> Fault {
+    source.fault(path, message, (!hint.is_empty()).then(|| hint.to_owned()), severity)
 }

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::model::Place;
-use crate::document::{FaultSeverity, Faults, Source, counted};
-use crate::plan::read::told::ToldFaults;
+use crate::document::{Faults, Source, counted};
+use crate::plan::read::told::DocumentFaults;
 
 /// Something that is said once for all parts of a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -85,30 +85,24 @@ pub(super) const APART: Topic = Topic {
 
 /// The faults so far.
 pub(super) struct Notes {
-    source: Source,
-    faults: ToldFaults,
+    faults: DocumentFaults,
     /// Topic → its first place, and how often.
     topics: BTreeMap<Topic, (Place, usize)>,
 }
 
 impl Notes {
     pub(super) fn new(source: Source) -> Self {
-        Self { source, faults: ToldFaults::default(), topics: BTreeMap::new() }
+        Self { faults: DocumentFaults::new(source), topics: BTreeMap::new() }
     }
 
     /// A part that is left out.
     pub(super) fn error(&mut self, place: &Place, message: impl Into<String>, hint: &str) {
-        self.push(place, message.into(), hint, FaultSeverity::Error);
+        self.faults.error(place, message, hint);
     }
 
     /// A part that is read otherwise than it is written.
     pub(super) fn warn(&mut self, place: &Place, message: impl Into<String>, hint: &str) {
-        self.push(place, message.into(), hint, FaultSeverity::Warning);
-    }
-
-    fn push(&mut self, place: &Place, message: String, hint: &str, severity: FaultSeverity) {
-        let hint = (!hint.is_empty()).then(|| hint.to_owned());
-        self.faults.push(|| self.source.fault(place, message, hint, severity));
+        self.faults.warn(place, message, hint);
     }
 
     /// One more part of which a topic is true.
@@ -125,9 +119,8 @@ impl Notes {
     pub(super) fn finish(mut self) -> Faults {
         for (Topic { what, fact, hint }, (place, count)) in std::mem::take(&mut self.topics) {
             let message = format!("{} {fact}", counted(count, what));
-            let fault = self.source.fault(&place, message, Some(hint.to_owned()), FaultSeverity::Warning);
-            self.faults.push_always(fault);
+            self.faults.warn_always(&place, message, hint);
         }
-        self.faults.finish(|message| self.source.fault_at(None, message))
+        self.faults.finish()
     }
 }
