@@ -1,188 +1,229 @@
-//! A reader to copy: complete, compiled and tested, for a format that exists only in this file.
+//! A reader to copy: complete, compiled and tested, for a JSON format that exists only in this file.
 //!
-//! ```text
-//! rooms 1                      the first line, by which the format is recognised
-//! room kitchen 0 0 300 400     word for the room, lower left corner, width and depth in centimetres
-//! room bath 310 0 200 400
-//! door 305 200 80              middle of the door, width
+//! ```json
+//! {
+//!   "sketch_version": 1,
+//!   "title": "Flat 7",
+//!   "storey_height": 280,
+//!   "rooms": [
+//!     {"name": "Kitchen", "corners": [[0, 0], [300, 0], [300, 400], [0, 400]]},
+//!     {"name": null, "corners": [[310, 0], [510, 0], [510, 400], [310, 400]]}
+//!   ],
+//!   "openings": [{"kind": "door", "middle": [305, 200], "width": 80}]
+//! }
 //! ```
+//!
+//! Lengths are centimetres, y goes down. People type the names of rooms.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::foreign::{TypeOfWord, head, slug, unknown_words};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::foreign::{TypeOfWord, WIDEST_LEAF, id_of_file};
 use super::reader::{DraftedBuilding, ForeignFormat, ReadBuildings, ReadFormat, ReadResult};
-use crate::document::{Faults, Source};
+use super::room_names::TypedNames;
+use super::sample::Sample;
+use super::told::DocumentFaults;
+use crate::document::{PathStep, Source};
 use crate::geometry::Point;
+use crate::plan::limits::{OPENING_WIDTH, STOREY_HEIGHT};
 use crate::plan::units::CENTIMETRE;
 use crate::plan::{
     BuildingDraft, LeafDraft, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, RoomDraft, RoomWords,
-    assemble_level,
 };
 
-/// The section of `formats` in `room_words.yaml`, here also `about.name`; it is what the hints about unknown words name.
+/// The word in the answers of `formats`, and in hints that of a section of `formats` in `room_words.yaml`. The section itself
+/// may be missing, as here: the words of `ifc` are asked next.
 const NAME: &str = "example";
 
 /// The line of the table of readers.
 const FORMAT: ForeignFormat = ForeignFormat {
     about: ReadFormat {
         name: NAME,
-        title: "room lists",
-        input: "a file that begins with `rooms 1`",
-        content: "rectangular rooms and doors of one level; the format has no windows and no heights",
+        title: "sketches",
+        input: "a JSON file with the keys `sketch_version` and `rooms`",
+        content: "rooms, doors and windows of one level; the format has no walls",
     },
     recognises,
+    // For formats that are folders: which of their files are missing.
     near_miss: |_| None,
     read: |path, options| read(path, options.words),
+    // For formats that draw furniture, which `import --keep-furniture` keeps.
     furniture: None,
 };
-/// First bytes of a file of the format.
-const SIGNATURE: &[u8] = b"rooms 1\n";
-/// Metres from floor to floor; the format does not say.
-const HEIGHT: f64 = 2.8;
-/// Metres of a door's head above the floor.
+/// Bytes at the start of a file in which its outermost keys stand.
+const HEAD_SIZE: u64 = 4096;
+/// Metres from floor to floor where a sketch does not say.
+const USUAL_HEIGHT: f64 = 2.8;
+/// Metres of a door's head above the floor, and of sill and head of a window; the format does not say.
 const DOOR_HEAD: f64 = 2.0;
+const WINDOW: (f64, f64) = (0.9, 2.1);
+
+/// A file. Keys that no field names are passed over. A key that may be absent or `null` is an `Option`; any other value of a
+/// wrong type refuses the file with its line and path.
+#[derive(Debug, Deserialize, JsonSchema)]
+struct Sketch {
+    title: Option<String>,
+    storey_height: Option<f64>,
+    rooms: Vec<SketchedRoom>,
+    openings: Option<Vec<SketchedOpening>>,
+}
+
+#[derive(Debug, Deserialize, JsonSchema)]
+struct SketchedRoom {
+    name: Option<String>,
+    corners: Vec<[f64; 2]>,
+}
+
+#[derive(Debug, Deserialize, JsonSchema)]
+struct SketchedOpening {
+    kind: String,
+    middle: [f64; 2],
+    width: f64,
+}
 
 fn recognises(path: &Path) -> bool {
-    head(path, SIGNATURE.len() as u64) == SIGNATURE
+    let sample = Sample::read(path, HEAD_SIZE);
+    sample.is_object() && sample.has(&["sketch_version", "rooms"])
 }
 
 fn read(path: &Path, words: &RoomWords) -> ReadResult {
-    // A file that cannot be read, is too large or is no text is reported here.
     let source = Source::read(path)?;
-    let mut reader = Reader { words, rooms: Vec::new(), openings: Vec::new(), unknown: BTreeMap::new() };
-    let mut faults = Faults::default();
-    for (line, text) in (1..).zip(source.text().lines()).skip(1) {
-        if let Err(message) = reader.line(line, text) {
-            // What is faulty is left out and reported at its place, so that a user sees all faults at once. `as_warning` on top
-            // where nothing of the plan is lost.
-            faults.push(
-                source.fault_at(Some((line, 1)), message).with_hint("write `room` or `door` and its numbers"),
-            );
-        }
+    let sketch: Sketch = source.parse()?;
+    let mut reader = Reader { names: TypedNames::new(words, NAME), faults: DocumentFaults::new(source) };
+    let level = reader.level(&sketch);
+    let mut levels = Vec::new();
+    if level.rooms.is_empty() {
+        reader.faults.error(&["rooms".into()], "the sketch has no room that can be read", "draw one");
+    } else {
+        levels.push(level);
     }
-    for (&line, message, hint) in unknown_words(NAME, &reader.unknown) {
-        faults.push(source.fault_at(Some((line, 1)), message).with_hint(hint).as_warning());
+    for (&room, message, hint) in reader.names.unknown() {
+        let path = ["rooms".into(), room.into(), "name".into()];
+        reader.faults.warn_always(&path, message, &hint);
     }
-    let id = slug(&path.file_stem().unwrap_or_default().to_string_lossy());
-    // Fields that the format does not know keep their defaults: `assemble` fills them in or finds them by geometry.
-    let level = LevelDraft {
-        id: "ground".to_owned(),
-        height: HEIGHT,
-        exterior_thickness: 0.3,
-        interior_thickness: 0.1,
-        rooms: reader.rooms,
-        openings: reader.openings,
-        ..LevelDraft::default()
+    let building = DraftedBuilding {
+        id: id_of_file(path, NAME),
+        draft: BuildingDraft { name: sketch.title, levels, ..BuildingDraft::default() },
+        // Lengths as the native plan has them, so that a bake of what `import` writes gives the bytes of a bake of this file.
+        is_settled: true,
+        ..DraftedBuilding::default()
     };
-    ReadBuildings::new(
-        vec![DraftedBuilding {
-            id,
-            draft: BuildingDraft { levels: vec![level], ..BuildingDraft::default() },
-            // Lengths as the native plan has them, so that a bake of what `import` writes gives the bytes of a bake of this file.
-            is_settled: true,
-            ..DraftedBuilding::default()
-        }],
-        faults,
-    )
+    ReadBuildings::new(vec![building], reader.faults.finish())
 }
 
-/// Collects what the lines say.
 struct Reader<'a> {
-    words: &'a RoomWords,
-    rooms: Vec<RoomDraft>,
-    openings: Vec<OpeningDraft>,
-    /// Word without a room type → (its first line, how many rooms have it).
-    unknown: BTreeMap<String, (usize, usize)>,
+    /// Unknown names stand at the number of their room.
+    names: TypedNames<'a, usize>,
+    faults: DocumentFaults,
 }
 
 impl Reader<'_> {
-    fn line(&mut self, line: usize, text: &str) -> Result<(), String> {
-        let parts: Vec<&str> = text.split_whitespace().collect();
-        match parts[..] {
-            [] => {}
-            ["room", word, left, lower, width, depth] => {
-                let (corner, size) = (point(left, lower)?, point(width, depth)?);
-                self.room(line, word, [corner, corner + size]);
-            }
-            ["door", x, y, width] => self.door(line, point(x, y)?, metres(width)?),
-            _ => return Err(format!("\"{text}\" is neither a room nor a door")),
+    fn level(&mut self, sketch: &Sketch) -> LevelDraft {
+        let rooms = sketch.rooms.iter().enumerate();
+        let openings = sketch.openings.iter().flatten().enumerate();
+        let mut height = sketch.storey_height.map_or(USUAL_HEIGHT, |height| height * CENTIMETRE);
+        if !self.is_within(STOREY_HEIGHT, height, &["storey_height".into()], "the usual height is taken") {
+            height = USUAL_HEIGHT;
         }
-        Ok(())
+        // Fields that the format does not know keep their defaults: `assemble` fills them in or finds them by geometry.
+        LevelDraft {
+            id: "ground".to_owned(),
+            height,
+            exterior_thickness: 0.3,
+            interior_thickness: 0.1,
+            rooms: rooms.map(|(number, room)| self.room(number, room)).collect(),
+            openings: openings.filter_map(|(number, opening)| self.opening(number, opening)).collect(),
+            ..LevelDraft::default()
+        }
     }
 
-    fn room(&mut self, line: usize, word: &str, [low, high]: [Point; 2]) {
-        let kind = match self.words.room_type(NAME, word) {
-            Some(room_type) => TypeOfWord::known(word, room_type),
-            None => {
-                self.unknown.entry(word.to_owned()).or_insert((line, 0)).1 += 1;
-                TypeOfWord::unknown(word)
+    /// Reports a length that is out of its limits. `assemble` would report it as well, but without the line.
+    fn is_within(&mut self, (least, most): (f64, f64), length: f64, path: &[PathStep], fate: &str) -> bool {
+        let is_within = (least..=most).contains(&length);
+        if !is_within {
+            let hint = format!("{fate}: {least} to {most} m are possible");
+            self.faults.error(path, format!("{length} m is no length of this kind"), &hint);
+        }
+        is_within
+    }
+
+    fn room(&mut self, number: usize, room: &SketchedRoom) -> RoomDraft {
+        // A room without a name, or with an unknown one, is guessed by its shape and neighbours.
+        let TypeOfWord { room_type, unknown_word } = self.names.of_name(room.name.as_deref(), || number);
+        RoomDraft {
+            id: format!("room_{}", number + 1),
+            name: room.name.clone(),
+            room_type,
+            unknown_word,
+            // Inner faces of the walls, in either direction; `outlines` of the level says so.
+            outline: room.corners.iter().copied().map(point).collect(),
+            ..RoomDraft::default()
+        }
+    }
+
+    fn opening(&mut self, number: usize, opening: &SketchedOpening) -> Option<OpeningDraft> {
+        let path = |key: &str| ["openings".into(), number.into(), key.into()];
+        let width = opening.width * CENTIMETRE;
+        if !self.is_within(OPENING_WIDTH, width, &path("width"), "left out") {
+            return None;
+        }
+        let (kind, (bottom, top)) = match opening.kind.as_str() {
+            "door" if width > WIDEST_LEAF => (OpeningKind::SlidingDoor, (0.0, DOOR_HEAD)),
+            "door" => (OpeningKind::Door, (0.0, DOOR_HEAD)),
+            "window" => (OpeningKind::Window, WINDOW),
+            other => {
+                let hint = "left out: known are door and window";
+                self.faults.error(&path("kind"), format!("unknown kind \"{other}\""), hint);
+                return None;
             }
         };
-        self.rooms.push(RoomDraft {
-            id: format!("room_{line}"),
-            room_type: kind.room_type,
-            unknown_word: kind.unknown_word,
-            // Inner faces of the walls, counter-clockwise or not; `outlines` of the level says so.
-            outline: vec![low, Point::new(high.x, low.y), high, Point::new(low.x, high.y)],
-            ..RoomDraft::default()
-        });
-    }
-
-    fn door(&mut self, line: usize, center: Point, width: f64) {
-        self.openings.push(OpeningDraft {
-            id: format!("door_{line}"),
-            kind: OpeningKind::Door,
-            // Walls and rooms on both sides are found by geometry.
-            place: OpeningPlace::Points { center, along: None },
+        Some(OpeningDraft {
+            id: format!("opening_{}", number + 1),
+            kind,
+            // The wall, its direction and the rooms on both sides are found by geometry.
+            place: OpeningPlace::Points { center: point(opening.middle), along: None },
             rooms: Vec::new(),
             width,
-            bottom: 0.0,
-            top: DOOR_HEAD,
+            bottom,
+            top,
             leaf: LeafDraft::Automatic,
-        });
+        })
     }
 }
 
-fn metres(text: &str) -> Result<f64, String> {
-    let number = text.parse::<f64>().map_err(|_| format!("\"{text}\" is no number"))?;
-    Ok(number * CENTIMETRE)
-}
-
-fn point(x: &str, y: &str) -> Result<Point, String> {
-    Ok(Point::new(metres(x)?, metres(y)?))
+/// In metres, with y up.
+fn point([x, y]: [f64; 2]) -> Point {
+    Point::new(x, -y) * CENTIMETRE
 }
 
 #[test]
-fn a_room_list_is_read_with_its_faults() {
+fn a_sketch_is_read_with_its_faults() {
     let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("my flat.rooms");
-    std::fs::write(
-        &file,
-        "rooms 1\nroom kitchen 0 0 300 400\nroom bath 310 0 200 400\ndoor 305 200 80\nroof\n",
-    )
-    .unwrap();
+    let file = folder.path().join("My flat.json");
+    let text = r#"{"sketch_version": 1, "title": null, "storey_height": 28000, "rooms": [
+        {"name": "Küche 2", "corners": [[0, 0], [300, 0], [300, 400], [0, 400]]},
+        {"name": "Planetarium", "corners": [[310, 0], [510, 0], [510, 400], [310, 400]]},
+        {"name": null, "corners": [[520, 0], [620, 0], [620, 400], [520, 400]]}],
+        "openings": [{"kind": "door", "middle": [305, 200], "width": 80},
+        {"kind": "hatch", "middle": [305, 200], "width": 80}]}"#;
+    std::fs::write(&file, text).unwrap();
     assert!((FORMAT.recognises)(&file) && (FORMAT.near_miss)(folder.path()).is_none());
 
-    let words = RoomWords {
-        words: [(NAME.to_owned(), [("kitchen".to_owned(), "kitchen".to_owned())].into())].into(),
-        ..RoomWords::default()
-    };
+    let words = super::real_data::words();
     let ReadBuildings { buildings, faults, .. } =
         (FORMAT.read)(&file, &crate::plan::PlanOptions::new(&words)).unwrap();
     let shown: Vec<(usize, &str)> =
         faults.0.iter().map(|fault| (fault.position.unwrap().0, fault.message.as_str())).collect();
-    let unknown = "unknown room word \"bath\": 1 room is guessed by shape and neighbours";
-    assert_eq!(shown, [(3, unknown), (5, "\"roof\" is neither a room nor a door")]);
+    let unknown = "unknown room word \"planetarium\": 1 room is guessed by shape and neighbours";
+    let height = "280 m is no length of this kind";
+    assert_eq!(shown, [(1, height), (3, unknown), (6, "unknown kind \"hatch\"")]);
 
     let [building] = &buildings[..] else { panic!("{} buildings", buildings.len()) };
     assert_eq!(building.id, "my_flat");
-    let (level, problems) = assemble_level(building.draft.levels[0].clone());
+    let (level, problems) = crate::plan::assemble_level(building.draft.levels[0].clone());
     assert!(problems.is_empty());
-    let areas: Vec<f64> = level.rooms.iter().map(|room| room.region.area().round()).collect();
-    assert_eq!((areas, level.openings[0].sides.len()), (vec![12.0, 8.0], 2));
-    assert_eq!(
-        level.rooms.iter().map(|room| room.room_type.as_str()).collect::<Vec<_>>(),
-        ["kitchen", "generic"]
-    );
+    let types: Vec<&str> = level.rooms.iter().map(|room| room.room_type.as_str()).collect();
+    assert_eq!((types, level.openings[0].sides.len()), (vec!["kitchen", "generic", "generic"], 2));
 }
