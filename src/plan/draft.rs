@@ -57,7 +57,7 @@ pub enum OutlineKind {
     #[default]
     Inner,
     /// Centre lines: rooms share edges, and half of `interior_thickness` is taken from each. Edges without a neighbour stay where
-    /// they are, and their walls grow outwards.
+    /// they are, and their walls grow outwards. Rooms more than 3 cm apart share no edge: the gap is their wall, as with `Inner`.
     Center,
 }
 
@@ -165,7 +165,8 @@ pub struct ObstacleDraft {
     pub height: Option<f64>,
 }
 
-/// Something wrong or doubtful in a draft; the reader adds file and position.
+/// Something wrong or doubtful in a draft. It is reported with the file: of a native plan at its line, of any other with the id of
+/// its level and without a line, so that a reader of such a file itself reports what should have its line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Problem {
     /// Its subject.

@@ -1,32 +1,35 @@
 //! The table of readers of foreign formats, and how to add one.
 //!
 //! 1. Write the reader: a file or folder here with a `pub(super) const FORMAT: ForeignFormat`. `example.rs` is a complete
-//!    one to copy (there `FORMAT` is private, as no list names it); `reader.rs` says what each field is asked. Set
-//!    `is_settled: true`, as the example does. Add its `mod` line to `mod.rs`, in the order of the alphabet; nothing else there
-//!    concerns a reader. Add its `FORMAT` to the list below: the first that recognises a file reads it, and all are asked before native
-//!    plans and projects, so that a file may have their keys (`levels`, `project`). A new one goes before
-//!    `indoor::sit::FORMAT`, for that and `outlines::FORMAT` take maps of any origin. Recognition, `roomwright formats`, `import`
-//!    and hints follow.
+//!    one to copy, of a JSON format, with the calls that most readers need (there `FORMAT` is private, as no list names it); the
+//!    table below has what it does not show, and `reader.rs` says what formats of folders are asked. Set `is_settled: true`, as the
+//!    example does. Add its `mod` line to `mod.rs`, in the order of the alphabet; nothing else there concerns a reader. Add its
+//!    `FORMAT` to the list below: the first that recognises a file reads it, and all are asked before native plans and projects, so
+//!    that a file may have their keys (`levels`, `project`). A new one goes before `indoor::sit::FORMAT`, for that and
+//!    `outlines::FORMAT` take maps of any origin. Recognition, `roomwright formats`, `import` and hints follow.
 //! 2. Renew the table in `docs/commands.md`: `UPDATE_GOLDENS=1 cargo test --lib the_page_about_commands`; no other golden names
 //!    the formats. Add a section "How to export from ..." to `docs/importing.md`: how to get a file, the commands, a table of what
 //!    its parts become, and what is not read. That of the Japanese indoor map is the shortest to copy. README.md ends its list in
 //!    "and more" and stays as it is; so does CHANGELOG.md, until a version is released.
-//! 3. Words for rooms are a section of `formats` in `configs/room_words.yaml`, which may be there already (`osm`). `formats`
-//!    ends the file, with its sections in the order of the alphabet:
+//! 3. Words for rooms need nothing here if people type the names of rooms ("Open Office 2"). `TypedNames` of `room_names.rs`, as in
+//!    the example, finds the longest known words of a name in the section `NAME`, if there is one, and then in that of `ifc`, which
+//!    has words of many languages. Hints name `formats.<NAME>` all the same: users add words there, in a file of their own.
+//!
+//!    If the format has a list of words (`OPEN_OFFICE`), they are a section of `formats` in `configs/room_words.yaml`, which may be
+//!    there already (`osm`). `formats` ends the file, with its sections in the order of the alphabet:
 //!
 //!    ```yaml
-//!      example:
+//!      my_format:
 //!        kitchen: kitchen       # the word of the file: the room type
 //!        open_office: office    # in capitals or not; spaces, `_` and `-` as the file writes them
 //!        room: generic          # says no more than "a room": guessed, and no fault
 //!    ```
 //!
-//!    The reader asks for them by the name of the section: `words.room_type("example", "Open_Office")`. By custom the name is also
-//!    `about.name` of the format, the word in the answers of `formats` and `import`; nothing in the program joins the two. Where an
-//!    unread format has that word in its name and stays unread (`.osm`), name the format otherwise, such as `osm-indoor`. Of
-//!    several words for one room the most specific decides. Of names that people type ("Open Office 2"),
-//!    `type_of_words(words, &["example", "ifc"], &plain_words(name))` of `room_names.rs` finds the longest known words; it may ask
-//!    the sections of other formats, too.
+//!    The reader asks for them by the name of the section: `words.room_type("my_format", "Open_Office")`. By custom the name is
+//!    also `about.name` of the format, the word in the answers of `formats` and `import`; nothing in the program joins the two.
+//!    Where an unread format has that word in its name and stays unread (`.osm`), name the format otherwise, such as `osm-indoor`. Of
+//!    several words for one room the most specific decides. `TypeOfWord::known(word, room_type)` or `::unknown(word)` of
+//!    `foreign.rs` gives the two fields of the `RoomDraft`, and `unknown_words` the warnings.
 //! 4. Add a case: a folder below `tests/cases/plan_import/` with a small plan, whose buildings have ids of their own: an id that is
 //!    the name of the file must differ from those of other cases. `UPDATE_GOLDENS=1 cargo test --test plan import` writes what is
 //!    read of it into a text beside the folder, `<folder>.txt`, and fails so that somebody looks at it. The fuzz test damages the
@@ -36,12 +39,14 @@
 //!    that none recognises is refused by its line. The test `a_format_is_read_or_not_read` fails if a word of an unread format's
 //!    name is the name of a format that is read. Files that are read now go from the list of refused ones in
 //!    `tests/plan/unread.rs`.
-//! 6. It is done if these pass, and the last one furnishes the case:
+//! 6. It is done if these pass, and the last one furnishes the case. `test_structure.py` fails if a file here uses itself through
+//!    others, such as a file of faults that takes a type from the file that reports them:
 //!
 //!    ```text
 //!    cargo clippy --all-targets -- -D warnings
 //!    cargo test --lib plan::read
 //!    cargo test --test plan --test fuzz
+//!    python -m pytest tests/scripts/test_structure.py
 //!    cargo run -- formats
 //!    cargo run -- bake tests/cases/plan_import/<folder> --out out
 //!    ```
@@ -49,19 +54,24 @@
 //! | for | use |
 //! |---|---|
 //! | the types to fill, and what each may leave open | `plan/draft.rs`: metres, x east, y north; `assemble` finds the rest |
-//! | the text of a file; a JSON or YAML document as a type | `Source::read(path)?`; `source.parse::<T>()?`, where `T` derives `Deserialize` and `JsonSchema`; keys that it does not name are passed over, and lists that may be `null` are `Option<Vec<T>>` |
+//! | the text of a file; a JSON or YAML document as a type | `Source::read(path)?`; `source.parse::<T>()?`, where `T` derives `Deserialize` and `JsonSchema`: keys that it does not name are passed over, what may be absent or `null` is an `Option`, and any other value of a wrong type refuses the file with its line and path |
 //! | a fault at a line and column | `source.fault_at(Some((line, column)), message)`, then `.with_hint(hint)`, `.as_warning()` |
 //! | a fault at a document path | `source.fault(&path, message, hint, severity)`: a slice of `PathStep`s such as `&["rooms".into(), 3.into()]`, the fact, `Some(String)` or `None`, and `FaultSeverity::Error` or `Warning`; `use crate::document::{FaultSeverity, PathStep}` |
-//! | many faults of one file | `ToldFaults` of `told.rs`: `push(\|\| fault)` keeps the first 200 and counts the others, `finish(\|message\| fault)` gives all |
+//! | many faults of one file | of a document `DocumentFaults` of `told.rs`, as in the example: `error` and `warn` at a path keep the first 200 and count the others, `warn_always` is for what is said once of many parts, with a count. Of other texts `ToldFaults`: `push(\|\| fault)`, `push_always(fault)`, `finish(\|message\| fault)` |
+//! | faults that `assemble` finds | nothing to write: they are reported with file and level but no line, and as warnings unless no building can be so |
+//! | limits of numbers | `plan/limits.rs`. `assemble` checks all that the draft has: lengths, areas, heights, coordinates, corners, counts of rooms and openings. It does not check `BUILDING_LEVELS` and `BUILDING_ROOMS`, which a file that repeats levels may exceed. Check what you want to report with its line, as the example does, and `COORDINATE` and `OUTLINE_CORNERS` before you compute with outlines |
 //! | GeoJSON: features, areas and lines in metres | `geojson/mod.rs`; `imdf/translate.rs` shows its use |
 //! | to recognise a file by what it holds | `head(path, 4096)` of `foreign.rs` gives its first bytes: look for words that no other format begins with. Where they come late (tags behind all nodes), test the root first, and only then search a larger part, such as a megabyte. Faults of a recognised file are reported also in a folder, where files that nobody recognises are passed over |
-//! | to recognise JSON or XML | `let sample = Sample::read(path, 4096)` (`sample.rs`), then `sample.is_object() && sample.has(&["rooms", "walls"])`, if all of these are outermost keys in the first bytes; `holds_one_of(&["\"Room2D\""])` for words at any depth, `says("type", "Plan")` for a key with its value, `is_xml("plan")`. `honeybee/mod.rs` shows its use |
+//! | to recognise JSON or XML | `let sample = Sample::read(path, 4096)` (`sample.rs`), then `sample.is_object() && sample.has(&["rooms", "walls"])`, if all of these are outermost keys in the first bytes; `holds_one_of(&["\"Room2D\""])` for words at any depth, `says("type", "Plan")` for a key with its value, `is_xml("plan")` |
 //! | tables of any size | `swiss_dwellings/records.rs`: one record in memory, with its line; `gather.rs` keeps the chosen ones |
 //! | binary files | nothing in common yet; `ifc/step.rs` reads STEP from the text. A crate is welcome if it keeps the places of elements, and its line in Cargo.toml says what it saves |
 //! | degrees of longitude and latitude | `LocalPlane::at(longitude, latitude)?.project(longitude, latitude)` of `plan/units.rs` (no plane outside ±180° and ±85°), which has `FOOT`, `US_FOOT` and `CENTIMETRE` too: one plane for all levels of a building, at `Bounds::around(points).center()` of its corners; `plane_of` of `geojson/place.rs` does that for GeoJSON. `Polygon` takes metres; an area in degrees counts as none |
 //! | axes | plans have x east, y north. Of a file with y down, as of pixels, `Point::new(x, -y)`; with Y up, right-handed, as glTF: `Point::new(x, -z)`; with Y up, left-handed, as Unity: `Point::new(x, z)` |
 //! | first bytes, ids from names, words for rooms, missing files, doors too wide for a leaf | `foreign.rs`: `head`, `slug`, `TypeOfWord`, `unknown_words` (at a line or a document path), `missing_parts`, `WIDEST_LEAF` (metres; wider doors slide) |
-//! | plans that share edges of rooms and draw no walls | `outlines: OutlineKind::Center` in the `LevelDraft`. What a file does not say is yours to choose: IMDF takes storeys of 3.6 m, walls of 0.1 m inside and 0.4 m outside, doors 2.1 m high. A door is a point on the shared edge and needs no direction; corners on a straight line are merged later |
+//! | the id of a building | `id_of_file(path, NAME)` of `foreign.rs`: its file's name without the ending, or `NAME` where that has no Latin letter or digit. Of several buildings in a file, `<that>_<own>` |
+//! | a room without a name | keep it: `of_name(None, ..)` of `TypedNames` is `TypeOfWord::unknown("")`. It is guessed by shape and neighbours, with a warning of the guess and none of a word |
+//! | plans that share edges of rooms and draw no walls | `outlines: OutlineKind::Center` in the `LevelDraft`. A door is a point on the shared edge and needs no direction; corners on a straight line are merged later |
+//! | metres that a file does not say | yours to choose, as constants that say so. By custom doors are 2.0 m high, windows reach from 0.9 to 2.1 m, storeys of homes have 2.8 to 3.0 m, inner walls 0.1 m and outer ones 0.3 m; in public buildings doors are 2.1 m high, storeys 3.6 m, outer walls 0.4 m thick. A room's height may stay open |
 //! | several levels | a `LevelDraft` each; its `elevation` is what the file says, else yours to sum up from the heights below |
 //! | ids of levels | any text that is unique in the building; IMDF has `level_<ordinal>`, `level_-1` below ground |
 //! | furniture that a file draws | `furniture` of the format gives `DrawnPiece`s; `edits/drawn.rs` keeps them by the words under `pieces` in `room_words.yaml` |
