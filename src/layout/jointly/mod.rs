@@ -39,9 +39,9 @@ const TIGHT: f64 = 9.0;
 /// narrow bathrooms keep large fixtures with too little space before them; less, and baths stand less often where architects
 /// have them.
 const SMALLER: f64 = 4.0;
-/// Points for filling a niche, less than a tight place loses; the more, the more tubs stand where architects have the
+/// Points for filling a niche: as much as half a tight place loses; the more, the more tubs stand where architects have the
 /// toilet.
-const NICHE: f64 = 6.0;
+const NICHE: f64 = 4.0;
 
 /// A piece at its place.
 #[derive(Clone, Debug)]

@@ -11,8 +11,8 @@ use crate::layout::rules;
 /// Metres that may be left beside what fills a niche: a ledge with tiles, as wide as the steps between the sizes and a joint.
 pub(super) const LEDGE: f64 = 0.11;
 
-/// Widens a resting piece whose class has sizes for niches, where one of its sizes fills the niche that it stands in. Nobody has
-/// less room than is good because of it.
+/// Widens a resting piece whose class has sizes for niches, where one of its sizes fills the niche that it stands in. A place that
+/// was good stays good: nobody has less room because of it.
 pub(super) fn fill_niche(environment: &mut Environment<'_>, agent: AgentIndex) {
     let class = environment.class(agent);
     let Some(place) = environment.agents[agent].rest().filter(|_| class.niche_sizes > 0).map(Rest::place)
