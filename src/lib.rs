@@ -19,17 +19,22 @@
 //! ```
 //!
 //! It also furnishes one room on demand, judges it, and writes it without the others, where it lies in the building, with its own
-//! walls, doors and windows. [`Project::room_ids`] lists the rooms; the styles are those of the catalogue, and one that the plan
-//! names for a room comes first:
+//! walls, doors and windows. [`Project::room_ids`] lists the rooms and `project.catalog.style_ids()` the styles; one that the plan
+//! names for a room comes first, and one that is made for other types of rooms leaves a room the default style. Errors say what
+//! is possible. Faults print a line for each and end without a line break; warnings stay in a project that can be used:
 //!
 //! ```
 //! use roomwright::{LevelOptions, Project};
 //!
 //! let project = Project::read(&["configs/plans/house.yaml"].into_iter().collect())?;
+//! if project.faults.has_errors() {
+//!     return Err(project.faults.into());
+//! }
 //! let options = LevelOptions { seed: 7, ..project.level_options_in("home_modern")? };
 //! let rooms = project.rooms(&options);
 //! let living = rooms.furnish(&"house/ground/living".parse()?)?;
 //! for placement in &living.furnished.placements {
+//!     // In the plan: the point (x, y) is (x, height, -y) in the file.
 //!     println!("{} at {}", project.catalog.classes[placement.class].id, placement.position);
 //! }
 //! living.verdict.findings.iter().for_each(|finding| println!("{finding}"));
