@@ -3,7 +3,7 @@
 //! 1. Write the reader: a file or folder here with a `pub(super) const FORMAT: ForeignFormat`. `example.rs` is a complete
 //!    one to copy, of a JSON format, with the calls that most readers need (there `FORMAT` is private, as no list names it); the
 //!    table below has what it does not show, and `reader.rs` says what formats of folders are asked. Set `is_settled: true`, as the
-//!    example does. Add its `mod` line to `mod.rs`, in the order of the alphabet; nothing else there concerns a reader. Add its
+//!    example does. Add its `mod` line to `mod.rs`, in the order of the alphabet; nothing else there concerns a reader, and it need not be read. Add its
 //!    `FORMAT` to the list below: the first that recognises a file reads it, and all are asked before native plans and projects, so
 //!    that a file may have their keys (`levels`, `project`). A new one goes before `indoor::sit::FORMAT`, for that and
 //!    `outlines::FORMAT` take maps of any origin. Recognition, `roomwright formats`, `import` and hints follow.
@@ -39,7 +39,8 @@
 //!    that none recognises is refused by its line. The test `a_format_is_read_or_not_read` fails if a word of an unread format's
 //!    name is the name of a format that is read. Files that are read now go from the list of refused ones in
 //!    `tests/plan/unread.rs`.
-//! 6. It is done if these pass, and the last one furnishes the case. `test_structure.py` fails if a file here uses itself through
+//! 6. It is done if these pass, and the last one furnishes the case (`source scripts/set_up.sh && set_up_python` sets up pytest).
+//!    `test_structure.py` fails if a file here uses itself through
 //!    others, such as a file of faults that takes a type from the file that reports them:
 //!
 //!    ```text
@@ -57,12 +58,12 @@
 //! | the text of a file; a JSON or YAML document as a type | `Source::read(path)?`; `source.parse::<T>()?`, where `T` derives `Deserialize` and `JsonSchema`: keys that it does not name are passed over, what may be absent or `null` is an `Option`, and any other value of a wrong type refuses the file with its line and path |
 //! | a fault at a line and column | `source.fault_at(Some((line, column)), message)`, then `.with_hint(hint)`, `.as_warning()` |
 //! | a fault at a document path | `source.fault(&path, message, hint, severity)`: a slice of `PathStep`s such as `&["rooms".into(), 3.into()]`, the fact, `Some(String)` or `None`, and `FaultSeverity::Error` or `Warning`; `use crate::document::{FaultSeverity, PathStep}` |
-//! | many faults of one file | of a document `DocumentFaults` of `told.rs`, as in the example: `error` and `warn` at a path keep the first 200 and count the others, `warn_always` is for what is said once of many parts, with a count. Of other texts `ToldFaults`: `push(\|\| fault)`, `push_always(fault)`, `finish(\|message\| fault)` |
+//! | many faults of one file | of a document `DocumentFaults` of `told.rs`, as in the example: `error(&path, message, hint)` and `warn` keep the first 200 and count the others, `warn_always` is for what is said once of many parts, with a count. Of other texts `ToldFaults`: `push(\|\| fault)`, `push_always(fault)`, `finish(\|message\| fault)` |
 //! | faults that `assemble` finds | nothing to write: they are reported with file and level but no line, and as warnings unless no building can be so |
-//! | limits of numbers | `plan/limits.rs`. `assemble` checks all that the draft has: lengths, areas, heights, coordinates, corners, counts of rooms and openings. It does not check `BUILDING_LEVELS` and `BUILDING_ROOMS`, which a file that repeats levels may exceed. Check what you want to report with its line, as the example does, and `COORDINATE` and `OUTLINE_CORNERS` before you compute with outlines |
+//! | limits of numbers | `plan/limits.rs`, in metres: `STOREY_HEIGHT`, `OPENING_WIDTH` and `WALL_THICKNESS` are `(least, most)`, `COORDINATE` an `f64`, `OUTLINE_CORNERS`, `LEVEL_ROOMS`, `LEVEL_OPENINGS`, `BUILDING_LEVELS` and `BUILDING_ROOMS` are `usize`. `assemble` checks all that the draft has: lengths, areas, heights, coordinates, corners, counts of rooms and openings. It does not check `BUILDING_LEVELS` and `BUILDING_ROOMS`, which a file that repeats levels may exceed. Check what you want to report with its line, as the example does, and `COORDINATE` and `OUTLINE_CORNERS` before you compute with outlines |
 //! | GeoJSON: features, areas and lines in metres | `geojson/mod.rs`; `imdf/translate.rs` shows its use |
 //! | to recognise a file by what it holds | `head(path, 4096)` of `foreign.rs` gives its first bytes: look for words that no other format begins with. Where they come late (tags behind all nodes), test the root first, and only then search a larger part, such as a megabyte. Faults of a recognised file are reported also in a folder, where files that nobody recognises are passed over |
-//! | to recognise JSON or XML | `let sample = Sample::read(path, 4096)` (`sample.rs`), then `sample.is_object() && sample.has(&["rooms", "walls"])`, if all of these are outermost keys in the first bytes; `holds_one_of(&["\"Room2D\""])` for words at any depth, `says("type", "Plan")` for a key with its value, `is_xml("plan")` |
+//! | to recognise JSON or XML | `let sample = Sample::read(path, 4096)` (`sample.rs`), then `sample.is_object() && sample.has(&["rooms", "walls"])`, if all of these are outermost keys in the first bytes; `holds_one_of(&["\"Room2D\""])` for words at any depth, `says("type", "Plan")` for a key with its value at any depth, `is_xml("plan")` |
 //! | tables of any size | `swiss_dwellings/records.rs`: one record in memory, with its line; `gather.rs` keeps the chosen ones |
 //! | binary files | nothing in common yet; `ifc/step.rs` reads STEP from the text. A crate is welcome if it keeps the places of elements, and its line in Cargo.toml says what it saves |
 //! | degrees of longitude and latitude | `LocalPlane::at(longitude, latitude)?.project(longitude, latitude)` of `plan/units.rs` (no plane outside ±180° and ±85°), which has `FOOT`, `US_FOOT` and `CENTIMETRE` too: one plane for all levels of a building, at `Bounds::around(points).center()` of its corners; `plane_of` of `geojson/place.rs` does that for GeoJSON. `Polygon` takes metres; an area in degrees counts as none |
