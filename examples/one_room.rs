@@ -13,14 +13,17 @@ use roomwright::furniture::{Catalog, Placement};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let defaults = ["configs/plans/house.yaml", "house/ground/living", "room.glb", "default"];
-    let [plan, room, out, style] =
+    let defaults = ["configs/plans/house.yaml", "house/ground/living", "room.glb"];
+    let [plan, room, out] =
         std::array::from_fn(|index| arguments.get(index).map_or(defaults[index], String::as_str));
 
     // What cannot be read is missing from the project, and named in its faults.
     let project = Project::read(&[plan].into_iter().collect())?;
     eprint!("{}", project.faults);
-    let options = project.level_options_in(style)?;
+    let options = match arguments.get(3) {
+        Some(style) => project.level_options_in(style)?,
+        None => project.level_options(),
+    };
     let rooms = project.rooms(&options);
     let room = rooms.furnish(&room.parse()?)?;
 

@@ -36,7 +36,7 @@ pub(super) fn fill_niche(environment: &mut Environment<'_>, agent: AgentIndex) {
 fn wider_place(environment: &mut Environment<'_>, agent: AgentIndex, place: &Place) -> Option<Place> {
     let ParentPart::Wall(wall) = place.parent else { return None };
     let (class, size) = (environment.class(agent), environment.agents[agent].size);
-    let was_poor = is_poor(environment, agent, place);
+    let was_poor = rules::score(environment, agent, place).is_poor();
     let mut wider: Vec<u32> = in_its_look(environment, agent, 0..class.variant_count())
         .filter(|&variant| class.size(variant).width > size.width)
         .collect();
@@ -57,13 +57,7 @@ fn wider_place(environment: &mut Environment<'_>, agent: AgentIndex, place: &Pla
             .find(|place| {
                 environment.refusal(agent, place).is_none()
                     && rules::fills_niche(environment, agent, place, LEDGE)
-                    && (was_poor || !is_poor(environment, agent, place))
+                    && (was_poor || !rules::score(environment, agent, place).is_poor())
             })
     })
-}
-
-/// Whether somebody has less room than is good because of it, or a window gets dark.
-fn is_poor(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> bool {
-    let score = rules::score(environment, agent, place);
-    score.is_spoilt || score.is_tight
 }

@@ -169,10 +169,9 @@ fn railed(walls: &[Wall], railings: &OutlineIndex) -> Vec<bool> {
         first.append(last);
     }
     for stretch in stretches {
-        let metres = |share: &dyn Fn(usize) -> f64| -> f64 {
-            stretch.iter().map(|&index| walls[index].length() * share(index)).sum()
-        };
-        if metres(&|index| shares[index][1]) < 0.5 * metres(&|_| 1.0) {
+        let length: f64 = stretch.iter().map(|&index| walls[index].length()).sum();
+        let along: f64 = stretch.iter().map(|&index| walls[index].length() * shares[index][1]).sum();
+        if along < 0.5 * length {
             stretch.iter().for_each(|&index| is_railed[index] = false);
         }
     }
