@@ -8,7 +8,9 @@ use core::cmp::Ordering;
 
 use crate::audit::{Code, Finding, Severity, Verdict};
 use crate::catalog::Catalog;
-use crate::layout::{Alternative, Counted, FurnishOptions, Furnished, RoomLayout, StandIns, Suggestion};
+use crate::layout::{
+    Alternative, Counted, FurnishOptions, Furnished, PoorPlaces, RoomLayout, StandIns, Suggestion,
+};
 use crate::plan::RoomRef;
 use crate::solve::RoomSolver;
 
@@ -33,9 +35,12 @@ const SOLVER_STEPS_A_STEP: u64 = 40;
 /// How often a room is furnished at most with the places that the solver suggests.
 const SUGGESTED_ALTERNATIVES: u32 = 3;
 
-/// Missing pieces that are as bad as a bed at the swing of a door, of which the audit has no finding. Larger: fewer beds there, for
-/// more small things that have no place.
+/// Missing pieces that are as bad as a bed at the swing of a door, or as a tub, a tray or a bed for one that has both sides open.
+/// Larger: fewer of them, for more small things that have no place.
 const AT_SWING: usize = 2;
+const OPEN_SIDES: usize = 2;
+/// The same for a strip of a niche that nothing fits into.
+const REST_OF_NICHE: usize = 1;
 
 /// A furnished room with what the audit says about it.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,8 +53,8 @@ pub struct Judged {
     pub alternative: Alternative,
     /// The pieces that replace others.
     pub stand_ins: StandIns,
-    /// Required pieces that are nearer to where the leaves of doors swing than they wish.
-    pub at_swings: usize,
+    /// The required pieces that would rather stand elsewhere, of which the audit has no finding.
+    pub poor_places: PoorPlaces,
 }
 
 /// Furnishes one room up to `effort` times (at least once) and keeps the best.
@@ -99,10 +104,10 @@ struct Maker<F, J> {
 
 impl<F: FnMut(&Alternative) -> Counted, J: FnMut(&Furnished) -> Verdict> Maker<F, J> {
     fn make(&mut self, alternative: Alternative) -> Judged {
-        let Counted { furnished, steps, stand_ins, at_swings } = (self.furnish)(&alternative);
+        let Counted { furnished, steps, stand_ins, poor_places } = (self.furnish)(&alternative);
         self.steps += steps;
         let verdict = (self.judge)(&furnished);
-        Judged { furnished, verdict, alternative, stand_ins, at_swings }
+        Judged { furnished, verdict, alternative, stand_ins, poor_places }
     }
 }
 
@@ -185,7 +190,7 @@ impl Judged {
     /// Whether what stands there stands well, though something small may be missing.
     fn lacks_pieces_only(&self) -> bool {
         let is_given = |finding: &Finding| finding.severity == Severity::Given;
-        let is_well = self.at_swings == 0 && self.stand_ins.spent_lists == 0;
+        let is_well = self.poor_places.at_swings == 0 && self.stand_ins.spent_lists == 0;
         is_well
             && self.verdict.findings.iter().all(|finding| is_given(finding) || !finding.code.is_of_places())
     }
@@ -220,14 +225,16 @@ impl Judged {
     }
 
     /// What alternatives are compared by first: findings that fail the room, then the minor ones, then pieces that are missing or
-    /// for which others stand in, with beds at the swings of doors. A television that a reading corner stands in for, the third of
+    /// for which others stand in, with poor places. A television that a reading corner stands in for, the third of
     /// its list, is as bad as three small things that are missing.
     fn flaws(&self) -> (usize, usize, usize) {
         let count = |severity: Severity| {
             self.verdict.findings.iter().filter(|finding| finding.severity == severity).count()
         };
         let missing = self.furnished.removals.len() + self.stand_ins.steps_down as usize;
-        (count(Severity::Failed), count(Severity::Minor), missing + AT_SWING * self.at_swings)
+        let PoorPlaces { at_swings, open_sides, rests_of_niches } = self.poor_places;
+        let poor = AT_SWING * at_swings + OPEN_SIDES * open_sides + REST_OF_NICHE * rests_of_niches;
+        (count(Severity::Failed), count(Severity::Minor), missing + poor)
     }
 }
 
@@ -244,7 +251,7 @@ mod tests {
     }
 
     fn counted(furnished: Furnished) -> Counted {
-        Counted { furnished, steps: 1, stand_ins: StandIns::default(), at_swings: 0 }
+        Counted { furnished, steps: 1, stand_ins: StandIns::default(), poor_places: PoorPlaces::default() }
     }
 
     fn nothing() -> Furnished {
@@ -324,7 +331,8 @@ mod tests {
             let (mut furnished, mut judged) = (0, 0);
             let furnish = |_: &Alternative| {
                 furnished += 1;
-                Counted { at_swings: rooms[furnished - 1].0, ..counted(nothing()) }
+                let poor_places = PoorPlaces { at_swings: rooms[furnished - 1].0, ..PoorPlaces::default() };
+                Counted { poor_places, ..counted(nothing()) }
             };
             let judge = |_: &Furnished| {
                 judged += 1;
@@ -336,6 +344,19 @@ mod tests {
         };
         assert_eq!(chosen(&[(1, 0), (1, 0), (1, 0), (1, 0), (1, 0), (0, 0)]), 5);
         assert_eq!(chosen(&[(1, 0), (0, 1)]), 0);
+    }
+
+    #[test]
+    fn of_rooms_without_findings_the_one_with_fewer_poor_places_is_kept() {
+        let chosen = |first: PoorPlaces| {
+            let mut rooms = [first, PoorPlaces::default()].into_iter();
+            let furnish =
+                |_: &Alternative| Counted { poor_places: rooms.next().unwrap(), ..counted(nothing()) };
+            best_of(2, furnish, |_| Verdict::default(), |_| Vec::new(), || 0).alternative.number
+        };
+        assert_eq!(chosen(PoorPlaces { open_sides: 1, ..PoorPlaces::default() }), 1);
+        assert_eq!(chosen(PoorPlaces { rests_of_niches: 1, ..PoorPlaces::default() }), 1);
+        assert_eq!(chosen(PoorPlaces::default()), 0);
     }
 
     #[test]

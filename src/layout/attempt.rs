@@ -11,10 +11,11 @@ use super::constants::{
 use super::environment::{Environment, Start};
 use super::furnished::Furnished;
 use super::place::AgentIndex;
+use super::rules::PoorPlaces;
 use super::seed::RoomKey;
 use super::wanted::StandIns;
 use super::{
-    arrange, covering, fitted, jointly, locked, push, result, rules, turning, untidy, useless, wanted, ways,
+    arrange, covering, fitted, jointly, locked, push, result, turning, untidy, useless, wanted, ways,
 };
 
 /// Whether what agents meet on their search is noted.
@@ -40,8 +41,8 @@ pub(crate) struct Kept<T> {
     pub(crate) steps: u64,
     /// The pieces in it that replace others.
     pub(crate) stand_ins: StandIns,
-    /// Its required pieces that are nearer to where leaves swing than they wish.
-    pub(crate) at_swings: usize,
+    /// Its required pieces that would rather stand elsewhere.
+    pub(crate) poor_places: PoorPlaces,
 }
 
 /// Furnishes a room as often as it deserves and keeps the attempt that lacks least, of equals the first. `describe` gives a
@@ -69,8 +70,8 @@ pub(crate) fn best_attempt<T>(
         }
         attempts += 1;
     }
-    let Attempt { furnished, description, number, stand_ins, at_swings, .. } = best;
-    Kept { furnished, description, number: number + 1, attempts, steps, stand_ins, at_swings }
+    let Attempt { furnished, description, number, stand_ins, poor_places, .. } = best;
+    Kept { furnished, description, number: number + 1, attempts, steps, stand_ins, poor_places }
 }
 
 /// The shortcomings of an attempt, the worst first: attempts are compared in this order.
@@ -125,7 +126,7 @@ struct Attempt<T> {
     description: T,
     steps: u64,
     stand_ins: StandIns,
-    at_swings: usize,
+    poor_places: PoorPlaces,
 }
 
 impl<T> Attempt<T> {
@@ -150,7 +151,7 @@ impl<T> Attempt<T> {
             number,
             lack: Lack::of(&environment, &furnished, closed_ways, stand_ins),
             stand_ins,
-            at_swings: rules::count_at_swings(&environment),
+            poor_places: PoorPlaces::of(&environment),
             missed: missed(&environment),
             description: describe(&environment, &furnished),
             steps: environment.steps(),

@@ -61,6 +61,7 @@ pub use furnished::{Furnished, Parent, Placement, Removal, RemovalReason};
 pub(crate) use ids::{object_id, opening_id, parent_id};
 pub use lock::{Lock, LockSupport};
 pub use options::FurnishOptions;
+pub use rules::PoorPlaces;
 pub use suggestion::{Alternative, Suggestion};
 pub use wanted::StandIns;
 
@@ -94,8 +95,8 @@ pub struct Counted {
     pub steps: u64,
     /// The pieces that replace others.
     pub stand_ins: StandIns,
-    /// Required pieces that are nearer to where the leaves of doors swing than they wish, beds above all.
-    pub at_swings: usize,
+    /// The required pieces that would rather stand elsewhere.
+    pub poor_places: PoorPlaces,
 }
 
 impl<'a> RoomLayout<'a> {
@@ -112,12 +113,12 @@ impl<'a> RoomLayout<'a> {
         match &self.brief {
             Ok(brief) => {
                 let kept = best_attempt(&brief.alternative(alternative), Recording::Off, |_, _| ());
-                let Kept { furnished, steps, stand_ins, at_swings, .. } = kept;
-                Counted { furnished, steps, stand_ins, at_swings }
+                let Kept { furnished, steps, stand_ins, poor_places, .. } = kept;
+                Counted { furnished, steps, stand_ins, poor_places }
             }
             Err(furnished) => {
-                let stand_ins = StandIns::default();
-                Counted { furnished: furnished.clone(), steps: 0, stand_ins, at_swings: 0 }
+                let (stand_ins, poor_places) = Default::default();
+                Counted { furnished: furnished.clone(), steps: 0, stand_ins, poor_places }
             }
         }
     }

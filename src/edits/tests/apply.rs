@@ -4,7 +4,7 @@ use super::edits;
 use crate::audit::testing::{TestRoom, at};
 use crate::best::Judged;
 use crate::edits::{Finished, finish};
-use crate::layout::{Alternative, Furnished, Parent, Placement, StandIns};
+use crate::layout::{Alternative, Furnished, Parent, Placement, PoorPlaces, StandIns};
 
 fn room() -> TestRoom {
     let mut room = TestRoom::rectangle(5.0, 4.0);
@@ -23,7 +23,7 @@ fn edited(room: &TestRoom, lines: &[&str]) -> Finished {
         verdict: room.judge(),
         alternative: Alternative::default(),
         stand_ins: StandIns::default(),
-        at_swings: 0,
+        poor_places: PoorPlaces::default(),
     };
     let judge =
         |furnished: &Furnished| crate::solve::judge_room(room.level.room(0), furnished, &room.catalog);

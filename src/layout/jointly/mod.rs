@@ -211,9 +211,7 @@ fn niche_places(environment: &mut Environment<'_>, agent: AgentIndex, stream: &m
     for variant in in_its_look(environment, agent, in_niches) {
         take_size(environment, agent, variant);
         let mut ways = places(environment, agent, stream);
-        ways.retain(|way| {
-            !way.is_poor && rules::fills_niche(environment, agent, &way.standing.place, niche::LEDGE)
-        });
+        ways.retain(|way| !way.is_poor && rules::fills_niche(environment, agent, &way.standing.place));
         ways.iter_mut().for_each(|way| way.points += NICHE);
         found.extend(ways);
     }

@@ -8,9 +8,6 @@ use crate::layout::environment::Environment;
 use crate::layout::place::{AgentIndex, ParentPart, Place};
 use crate::layout::rules;
 
-/// Metres that may be left beside what fills a niche: a ledge with tiles, as wide as the steps between the sizes and a joint.
-pub(super) const LEDGE: f64 = 0.11;
-
 /// Widens a resting piece whose class has sizes for niches, where one of its sizes fills the niche that it stands in. A place that
 /// was good stays good: nobody has less room because of it.
 pub(super) fn fill_niche(environment: &mut Environment<'_>, agent: AgentIndex) {
@@ -19,7 +16,7 @@ pub(super) fn fill_niche(environment: &mut Environment<'_>, agent: AgentIndex) {
     else {
         return;
     };
-    if rules::fills_niche(environment, agent, &place, LEDGE) {
+    if rules::fills_niche(environment, agent, &place) {
         return;
     }
     let present = environment.agents[agent].piece.variant;
@@ -56,7 +53,7 @@ fn wider_place(environment: &mut Environment<'_>, agent: AgentIndex, place: &Pla
             .map(|from| Spot::standing(wall, from).place(environment, agent))
             .find(|place| {
                 environment.refusal(agent, place).is_none()
-                    && rules::fills_niche(environment, agent, place, LEDGE)
+                    && rules::fills_niche(environment, agent, place)
                     && (was_poor || !rules::score(environment, agent, place).is_poor())
             })
     })

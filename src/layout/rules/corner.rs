@@ -8,6 +8,10 @@ use crate::layout::place::{AgentIndex, Place};
 
 /// Metres beside a piece within which it is closed: a joint, or a board. Larger: gaps that collect dust count as closed.
 const JOINT: f64 = 0.04;
+/// Metres that may be left beside what fills a niche: a ledge with tiles, as wide as the steps between the sizes and a joint.
+const LEDGE: f64 = 0.11;
+/// Metres beside a piece from which on the rest of a niche has a use: somebody stands there, or a cabinet does.
+const USEFUL: f64 = 0.6;
 /// Where along its depth a side is asked, in shares of the depth from the middle to the back. A niche is closed at all of them: a
 /// jog of the wall at its back alone closes half of a corner.
 const SHARES: [f64; 2] = [-0.3, 0.3];
@@ -20,36 +24,60 @@ pub(super) fn corner_points(environment: &Environment<'_>, agent: AgentIndex, pl
     if corner == 0.0 && half_corner == 0.0 {
         return 0.0;
     }
-    let closed = |side: f64| closed_parts(environment, agent, place, (side, JOINT));
-    match closed(-1.0).max(closed(1.0)) {
+    match closed_parts_of_better_side(environment, agent, place) {
         0 => 0.0,
         parts if parts < SHARES.len() => half_corner,
         _ => corner,
     }
 }
 
-/// Whether both sides of an agent are closed at a place, one at most so many metres away, the other at a joint.
-pub(crate) fn fills_niche(environment: &Environment<'_>, agent: AgentIndex, place: &Place, gap: f64) -> bool {
-    let is_closed =
-        |side: f64, within: f64| closed_parts(environment, agent, place, (side, within)) == SHARES.len();
-    [-1.0, 1.0].into_iter().any(|side| is_closed(side, JOINT) && is_closed(-side, gap))
+/// Whether neither side of an agent is closed at a place, not even half of one.
+pub(super) fn has_open_sides(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> bool {
+    closed_parts_of_better_side(environment, agent, place) == 0
 }
 
-/// At how many of the [`SHARES`] one side is closed within some metres; −1 is the left one, 1 the right one.
-fn closed_parts(
+/// Whether both sides of an agent are closed at a place, one of them at a ledge at most.
+pub(crate) fn fills_niche(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> bool {
+    let is_closed = |side: (f64, f64)| closed_parts(environment, agent, place, side) == SHARES.len();
+    [-1.0, 1.0].into_iter().any(|side| is_closed((side, JOINT)) && is_closed((-side, LEDGE)))
+}
+
+/// Whether an agent that has sizes for niches stands in the corner of one and leaves a strip of it that nothing fits into.
+pub(super) fn leaves_rest_of_niche(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> bool {
+    let is_closed = |side: (f64, f64)| closed_parts(environment, agent, place, side) == SHARES.len();
+    // A wall: another piece there has made use of the rest.
+    let is_walled = |side: (f64, f64)| {
+        parts_of_side(environment, agent, place, side).all(|part| !environment.is_inside(&part))
+    };
+    let leaves_rest =
+        |side: f64| is_closed((-side, JOINT)) && !is_closed((side, LEDGE)) && is_walled((side, USEFUL));
+    environment.class(agent).niche_sizes > 0 && [-1.0, 1.0].into_iter().any(leaves_rest)
+}
+
+fn closed_parts_of_better_side(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> usize {
+    let closed = |side: f64| closed_parts(environment, agent, place, (side, JOINT));
+    closed(-1.0).max(closed(1.0))
+}
+
+/// At how many of the [`SHARES`] one side is closed within some metres, by a wall or by what stands there.
+fn closed_parts(environment: &Environment<'_>, agent: AgentIndex, place: &Place, side: (f64, f64)) -> usize {
+    let is_closed = |part: &Solid| !environment.is_inside(part) || environment.is_taken(part);
+    parts_of_side(environment, agent, place, side).filter(is_closed).count()
+}
+
+/// The spaces beside an agent at the [`SHARES`] of a side, so many metres wide; −1 is the left side, 1 the right one.
+fn parts_of_side(
     environment: &Environment<'_>,
     agent: AgentIndex,
     place: &Place,
     (side, within): (f64, f64),
-) -> usize {
-    let (size, pose) = (environment.agents[agent].size, &place.pose);
-    let is_closed = |share: &f64| {
+) -> impl Iterator<Item = Solid> {
+    let (size, pose) = (environment.agents[agent].size, place.pose);
+    SHARES.into_iter().map(move |share| {
         let middle = pose.place(Point::new(side * (size.width + within) / 2.0, share * size.depth));
         let base = Convex::rectangle(middle, Point::new(within, LENGTH) / 2.0, pose.right);
-        let bit = Solid::new(base, pose.elevation, pose.elevation + size.height);
-        !environment.is_inside(&bit) || environment.is_taken(&bit)
-    };
-    SHARES.iter().filter(|share| is_closed(share)).count()
+        Solid::new(base, pose.elevation, pose.elevation + size.height)
+    })
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ mod beside;
 mod corner;
 mod floor;
 mod grid;
+mod poor_places;
 mod relation;
 mod surface;
 mod swing;
@@ -12,8 +13,9 @@ mod turn;
 mod wall;
 
 pub(crate) use corner::fills_niche;
+pub use poor_places::PoorPlaces;
 pub(crate) use relation::{Factor, Measured, Score, measure, meets_needs, score, unmet_need, weigh};
-pub(crate) use swing::{count_at_swings, distance_to_swings};
+pub(crate) use swing::distance_to_swings;
 pub(crate) use turn::angle_of_front;
 pub(crate) use wall::{Line, closings, floor_along, free_stretches};
 

@@ -2,7 +2,6 @@
 
 use crate::catalog::RelationKind;
 use crate::geometry::{Convex, distance_of_convex};
-use crate::layout::agent::Rest;
 use crate::layout::body::box_solid;
 use crate::layout::environment::Environment;
 use crate::layout::place::{AgentIndex, Place};
@@ -19,18 +18,6 @@ pub(crate) fn distance_to_swings(environment: &Environment<'_>, agent: AgentInde
     let body = box_solid(environment.agents[agent].size, &place.pose);
     let to_swing = |swing: &Convex| distance_of_convex(body.footprint(), swing.corners());
     environment.brief.surroundings.swings.iter().map(to_swing).fold(f64::INFINITY, f64::min)
-}
-
-/// How many required pieces rest nearer to where leaves swing than they wish.
-pub(crate) fn count_at_swings(environment: &Environment<'_>) -> usize {
-    let is_at_swing = |&agent: &AgentIndex| {
-        let Some(place) = environment.agents[agent].rest().map(Rest::place) else { return false };
-        let wishes = environment.class(agent).relations.iter();
-        let mut swings = wishes.filter(|wish| wish.kind == RelationKind::ClearOf);
-        environment.agents[agent].piece.is_required
-            && swings.any(|wish| clearness(environment, agent, &place, wish.distance.0) < 1.0)
-    };
-    (0..environment.agents.len()).filter(is_at_swing).count()
 }
 
 /// Metres that an agent's class wishes to be away from swings; zero where it does not care.
@@ -70,7 +57,7 @@ mod tests {
         let options = FurnishOptions::new(seed, "test");
         let room = RoomLayout::new(level.room(0), &catalog, &options).furnish(&Alternative::default());
         let shelf = solids(&catalog.classes[SHELF], &room.furnished.placements[0])[0];
-        (distance_of_convex(shelf.footprint(), swings[0].corners()), room.at_swings == 1)
+        (distance_of_convex(shelf.footprint(), swings[0].corners()), room.poor_places.at_swings == 1)
     }
 
     fn distance(corners: &[(f64, f64)], wished: f64, seed: u64) -> f64 {
