@@ -31,6 +31,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let geometry = GeometrySet::find(text(1, "plain")).ok_or("no such geometry set")?;
     let is_wanted = |recipe: &&Recipe| wanted == "all" || wanted.split(',').any(|word| word == recipe.name());
     let chosen: Vec<&Recipe> = recipes().iter().copied().filter(is_wanted).collect();
+    if chosen.is_empty() {
+        return Err(format!("no recipe is called {wanted}: see the files of src/recipes/furniture").into());
+    }
     let sizes = chosen.iter().map(|recipe| recipe.usual_size());
     let area: f64 = sizes.map(|size| (size.width + GAP) * (size.depth + GAP) * f64::from(looks)).sum();
     let mut sheet = Sheet::new(palette);

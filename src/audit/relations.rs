@@ -112,7 +112,7 @@ impl<'s, 'a> Known<'s, 'a> {
                     let is_window = level.openings[place.opening].kind == OpeningKind::Window;
                     if is_window == (*name == ParentName::Window) {
                         let wall = &room.walls[place.wall];
-                        let middle = wall.start + wall.direction() * f64::midpoint(place.from, place.to);
+                        let middle = wall.after(f64::midpoint(place.from, place.to));
                         visit(fixed(middle, wall.normal()));
                     }
                 }

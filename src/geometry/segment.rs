@@ -48,6 +48,12 @@ impl Segment {
         self.start.lerp(self.end, share)
     }
 
+    /// The point so many metres after its start.
+    #[must_use]
+    pub fn after(self, metres: f64) -> Point {
+        self.start + self.direction() * metres
+    }
+
     /// The point halfway.
     #[must_use]
     pub fn middle(self) -> Point {

@@ -121,7 +121,7 @@ pub(super) fn level(corners: &[(f64, f64)]) -> Level {
     let region = Region::simple(Polygon::new(&points).unwrap());
     let bare = Room::bare("1", "office", region, 2.8, 0.1);
     let walls = &bare.walls;
-    let hinge = walls[0].start + walls[0].direction() * 0.2;
+    let hinge = walls[0].after(0.2);
     let leaf = Leaf {
         hinge,
         closed_tip: hinge + walls[0].direction() * 0.9,
@@ -130,7 +130,7 @@ pub(super) fn level(corners: &[(f64, f64)]) -> Level {
     let door = Opening {
         id: "1".into(),
         kind: OpeningKind::Door,
-        center: walls[0].start + walls[0].direction() * 0.65,
+        center: walls[0].after(0.65),
         along: walls[0].direction(),
         width: 0.9,
         bottom: 0.0,

@@ -188,7 +188,7 @@ impl Threshold {
 /// The ends of an opening on the inner face of its wall.
 fn face(room: &Room, side: &OpeningSide) -> [Point; 2] {
     let wall = &room.walls[side.wall];
-    [side.from, side.to].map(|along| wall.start + wall.direction() * along)
+    [side.from, side.to].map(|along| wall.after(along))
 }
 
 /// What is in the way of an agent in a room: furniture, columns, and leaves of doors that stand open in it.

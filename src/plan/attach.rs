@@ -247,8 +247,7 @@ fn fit(request: &Request, rooms: &[Room], chosen: &[Face]) -> Result<(f64, f64),
     for face in chosen {
         let wall = &rooms[face.place.room].walls[face.place.wall];
         for entry in near_entries(request, &rooms[face.place.room], face) {
-            let ends = [entry.from, entry.to]
-                .map(|at| (wall.start + wall.direction() * at - request.center).dot(request.along));
+            let ends = [entry.from, entry.to].map(|at| (wall.after(at) - request.center).dot(request.along));
             taken_spans.push((ends[0].min(ends[1]), ends[0].max(ends[1])));
         }
     }
@@ -324,7 +323,7 @@ fn build(request: &Request, rooms: &[Room], chosen: &[Face], low: f64, high: f64
         let (from, to) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
         sides.push(OpeningSide { room: face.place.room, wall: face.place.wall, from, to });
         let middle = request.center + request.along * ((low + high) / 2.0);
-        middles.push(wall.start + wall.direction() * (middle - wall.start).dot(wall.direction()));
+        middles.push(wall.after((middle - wall.start).dot(wall.direction())));
     }
     let first = &rooms[chosen[0].place.room].walls[chosen[0].place.wall];
     let center = match middles[..] {

@@ -236,6 +236,19 @@ impl Wall {
         (self.end - self.start).normalize()
     }
 
+    /// The point of its inner face so many metres after its start.
+    #[must_use]
+    pub fn after(&self, metres: f64) -> Point {
+        self.segment().after(metres)
+    }
+
+    /// The stretch of its inner face between two distances from its start, in metres: that of an opening of the room
+    /// ([`RoomOpening::from`] and [`RoomOpening::to`]), say.
+    #[must_use]
+    pub fn stretch(&self, from: f64, to: f64) -> Segment {
+        Segment::new(self.after(from), self.after(to))
+    }
+
     /// Unit vector into the room.
     #[must_use]
     pub fn normal(&self) -> Point {

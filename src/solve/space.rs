@@ -34,7 +34,7 @@ fn frames(empty: &EmptyRoom<'_>) -> impl Iterator<Item = Vec<Point>> {
     let kind = |place: &RoomOpening| empty.at.level.openings[place.opening].kind;
     empty.at.room.openings.iter().filter(move |place| kind(place).has_frame()).map(|place| {
         let wall = &empty.at.room.walls[place.wall];
-        let at = |along: f64| wall.start + wall.direction() * along;
+        let at = |along: f64| wall.after(along);
         let (start, end) = (at(place.from - FRAME_WIDTH), at(place.to + FRAME_WIDTH));
         let outward = wall.normal() * FRAME_DEPTH;
         vec![start, end, end + outward, start + outward]

@@ -342,9 +342,8 @@ pub(super) fn flat_at(
     let programmes = typologies.programmes.get(brief.typology.programme.as_deref()?)?;
     let floor = area(&flat.ring);
     let margin = 0.75f64.min(border.length() / 2.0);
-    let shares = [0.85, 0.5, 0.15].map(|share| {
-        border.start + border.direction() * (border.length() * share).clamp(margin, border.length() - margin)
-    });
+    let shares = [0.85, 0.5, 0.15]
+        .map(|share| border.after((border.length() * share).clamp(margin, border.length() - margin)));
     // Along a corridor, that is the hall of the building, not of the flat.
     let (hall, hall_width) = match brief.typology.plan {
         PlanKind::CorridorFlats => ("corridor", FLAT_HALL_WIDTH),

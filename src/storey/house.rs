@@ -99,7 +99,7 @@ fn entrance_edge(ground: &Ground) -> Option<Vec<Port>> {
     let length = edge.length();
     let margin = 0.8f64.min(length / 2.0);
     let place = (at - edge.start).dot(edge.direction()).clamp(margin, length - margin);
-    let port = |place: f64| Port { at: edge.start + edge.direction() * place, way: edge.normal() };
+    let port = |place: f64| Port { at: edge.after(place), way: edge.normal() };
     let mut places = vec![place];
     if !is_drawn {
         // Within the free part of the wall.

@@ -155,7 +155,7 @@ fn outer_door(room: usize, port: Port, partition: &Partition<'_>) -> Option<Link
     Some(Link {
         rooms: (room, None),
         kind: OpeningKind::Door,
-        center: edge.start + edge.direction() * place,
+        center: edge.after(place),
         along: edge.direction(),
         width,
         leaves: if width > 1.2 { 2 } else { 1 },
@@ -251,7 +251,7 @@ fn place_on(border: Segment, width: f64, links: &[Link]) -> Point {
     let beside = 0.15f64.min((length - 2.0 * half).max(0.0));
     let places = [half + beside, length - half - beside, length / 2.0];
     let clearance = |place: f64| {
-        let at = border.start + border.direction() * place;
+        let at = border.after(place);
         let gap = |link: &Link| {
             let is_in_wall = border.side(link.center).abs() < 0.2;
             let distance = link.center.distance(at) - (width + link.width) / 2.0;
@@ -261,5 +261,5 @@ fn place_on(border: Segment, width: f64, links: &[Link]) -> Point {
     };
     let best = places.into_iter().map(|place| (clearance(place), place));
     let (_, place) = best.reduce(|a, b| if b.0 > a.0 + 1e-6 { b } else { a }).unwrap_or((0.0, length / 2.0));
-    border.start + border.direction() * place
+    border.after(place)
 }

@@ -240,7 +240,7 @@ pub(crate) fn is_in_the_way(rules: &WalkingRules, solid: &Solid) -> bool {
 /// The strip along an opening between two distances from the wall's inner face, above zero inside the room.
 fn strip(room: &Room, place: &RoomOpening, from: f64, to: f64) -> Vec<Segment> {
     let wall = &room.walls[place.wall];
-    let at = |along: f64, inward: f64| wall.start + wall.direction() * along + wall.normal() * inward;
+    let at = |along: f64, inward: f64| wall.after(along) + wall.normal() * inward;
     let corners = [at(place.from, from), at(place.to, from), at(place.to, to), at(place.from, to)];
     edges(&corners).collect()
 }

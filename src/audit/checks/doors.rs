@@ -52,13 +52,12 @@ fn approach(wall: &Wall, place: &RoomOpening, opening: &Opening, rules: DoorRule
     };
     // A hatch of half a metre needs half a metre before it; people who carry things need no more before wide doors.
     let inward = wall.normal() * opening.width.min(most);
-    let start = wall.start + wall.direction() * (place.from + ends);
-    let end = wall.start + wall.direction() * (place.to - ends);
+    let face = wall.stretch(place.from + ends, place.to - ends);
     Zone {
         purpose: Purpose::Passing(place.opening),
-        base: vec![start, end, end + inward, start + inward],
+        base: vec![face.start, face.end, face.end + inward, face.start + inward],
         heights: (opening.bottom, opening.top),
-        face: Segment::new(start, end),
+        face,
     }
 }
 

@@ -18,20 +18,21 @@
 //!    others. A new section is written like this, and nothing else names it:
 //!
 //!    ```text
-//!    /// How far light is from work.                 in thresholds! of src/catalog/audit.rs, between two other sections
+//!    /// How far light is from work.                 in src/catalog/audit.rs, before `/// The view of a screen.`
 //!    lamps: LampRules {
 //!        /// Farthest lamp of a desk.
 //!        desk: Metres,
 //!    }
 //!
-//!      lamps:                                        in configs/audit.yaml, below `thresholds:`
+//!      lamps:                                        in configs/audit.yaml, before `  screens:`
 //!        desk: 1.5      # the arm of a desk lamp, and as much again
 //!    ```
 //! 4. Renew `docs/audit.md`, `docs/guide.md` and the schemas: `UPDATE_GOLDENS=1 cargo test --lib -- the_page_about_the_audit
 //!    published_schemas the_guide_lists_the_groups`. Rooms that have the new finding are furnished again for its sake, so that pinned
 //!    levels and drawings of the catalogue may change: `cargo test --test command_line -- pinned handbook` says so, and renews them
-//!    with `UPDATE_GOLDENS=1`. Then `cargo test --lib -- audit`, `cargo fmt` and `cargo clippy --all-targets -- -D warnings`. Nothing
-//!    else lists the codes: the page of `view` is sent their meanings (`src/view/site.rs`), and `scripts/judge.py` has measures of
+//!    with `UPDATE_GOLDENS=1`. Then `cargo test --lib -- audit`, `cargo fmt` and `cargo clippy --all-targets -- -D warnings`. A
+//!    finding needs no more; all tests (`bash scripts/test.sh`) take half an hour. Figures and pictures of other pages are renewed
+//!    for a version. Nothing else lists the codes: the page of `view` is sent their meanings (`src/view/site.rs`), and `scripts/judge.py` has measures of
 //!    its own. Until a version is released, CHANGELOG.md stays as it is.
 //!
 //! | quantity (`quantity.rs`) | unit of the figures | is |
@@ -60,11 +61,11 @@
 //! | where people get to | `evidence.floor`, which may be none: `floor.walk(diameter).reaches(door, goal)` |
 //! | whether the empty room could hold a piece | `(evidence.ask)(&Question::Class(class))`, for `Fault::if_possible` |
 //! | walls of the room | `subject.at.room.walls[index]`: `start`, `end`, `direction()`, `normal()` into the room |
-//! | doors and windows of the room | `subject.at.room.openings`: each with its `wall`, the metres `from` and `to` along it, and `opening`, the index into `subject.at.level.openings`: `kind` (`OpeningKind::Window`, `Door`, `SlidingDoor`, `Passage`, `OpenBoundary`), `bottom`, `top`, `sides`, and its middle line: `center` (halfway through the wall), `along`, `width`. A window between two rooms counts like one to the open air, in both rooms; it has two `sides`, one to the open air has one |
+//! | doors and windows of the room | `subject.at.room.openings`: each with its `wall`, the metres `from` and `to` along it (`subject.at.room.walls[wall].stretch(from, to)` is that [`Segment`](crate::geometry::Segment)), and `opening`, the index into `subject.at.level.openings`: `kind` (`OpeningKind::Window`, `Door`, `SlidingDoor`, `Passage`, `OpenBoundary`), `bottom`, `top`, `sides`, and its middle line: `center` (halfway through the wall), `along`, `width`. A window between two rooms counts like one to the open air, in both rooms; it has two `sides`, one to the open air has one |
 //! | whether the room is in the open air | `subject.catalog.households.homes.outdoors.contains(&subject.at.room.room_type)` |
 //! | a comparison with a limit | `use crate::audit::rounding::ROUNDING;`, then `measured > limit + ROUNDING` or `measured < limit - ROUNDING`; of two limits a fault has the one that was passed |
 //! | a fault | `Fault::new(Quantity::Angle, vec![subject.object(index), Subject::wall(wall)], measured, threshold)`, figures in the unit of the quantity; also `subject.opening(index)` (of the level), `Subject::column(index)`, `subject.class(index)` (of which a piece is missing); `.about(vec![body.strip(Side::Front, 0.0, limit).to_vec()])` marks floor, a ring of corners for each region. Answers list the subjects sorted by id |
-//! | a room in a test | `let mut room = TestRoom::rectangle(3.0, 3.0)` (`audit/testing.rs`) with the classes `chest` (1 × 1 × 0.8 m), `stool` (0.4 × 0.4 × 0.45 m), `table`, `desk`, `lamp`, `picture`; `room.stand("chest", at(1.5, 0.7))` or `room.add("chest", at(1.5, 0.7), Parent::Wall(0))` give the index of an object (wall 0 is the south wall, 1 the east wall; at angle 0 fronts face south). Ids are `stool.1`, `wall.0`, `window:0` (openings count from 0); the room's type is `office`, and `room.catalog.households.homes.outdoors.insert("office".to_owned())` puts it into the open air. A seat at a desk: `let stool = room.add("stool", at(1.5, 0.8), Parent::Object(desk))` at its front, then `room.placements[stool].side = Side::Front` and `.angle = PI`, so that it faces the desk, with the groups `SEAT` and `SURFACE`; `room.group("chest", groups::PLANT)`, `room.open(wall, OpeningKind::Window, (from, to), (bottom, top))`; `room.count(Code::Crooked)`, `room.audit()` |
+//! | a room in a test | `let mut room = TestRoom::rectangle(3.0, 3.0)` (`audit/testing.rs`) with the classes `chest` (1 × 1 × 0.8 m), `stool` (0.4 × 0.4 × 0.45 m), `table`, `desk`, `lamp`, `picture`; `room.stand("chest", at(1.5, 0.7))` or `room.add("chest", at(1.5, 0.7), Parent::Wall(0))` give the index of an object (wall 0 is the south wall, 1 the east wall; at angle 0 fronts face south). Ids are `stool.1`, `wall.0`, `window:0` (openings count from 0); the room's type is `office`, and `room.catalog.households.homes.outdoors.insert("office".to_owned())` puts it into the open air. A seat at a desk: `let stool = room.add("stool", at(1.5, 0.8), Parent::Object(desk))` at its front, then `room.placements[stool].side = Side::Front` and `.angle = PI`, so that it faces the desk, with the groups `SEAT` and `SURFACE`; `room.group("chest", groups::PLANT)`, `room.open(wall, OpeningKind::Window, (from, to), (bottom, top))`; `room.count(Code::Crooked)` is how many findings of a code there are, `room.audit()` gives them all, each with `code`, `objects` (their ids), `measured` and `threshold` |
 
 mod access;
 mod bare;

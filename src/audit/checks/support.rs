@@ -110,7 +110,7 @@ fn gap_to_column(subject: &Subject<'_>, column: usize, body: &Body<'_>) -> f64 {
 fn gap_to_wall(subject: &Subject<'_>, wall: usize, hung_on: Option<usize>, body: &Body<'_>) -> f64 {
     let face = &subject.at.room.walls[wall];
     let stretches = solid_stretches(subject, wall, hung_on, body);
-    let at = |along: f64| face.start + face.direction() * along;
+    let at = |along: f64| face.after(along);
     let segments = stretches.as_slice().iter().map(|&(from, to)| Segment::new(at(from), at(to)));
     segments.map(|segment| gap_to_segment(body, segment)).fold(f64::INFINITY, f64::min)
 }

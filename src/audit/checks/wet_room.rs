@@ -73,7 +73,7 @@ fn kitchen_before(subject: &Subject<'_>, cookers: &[usize], toilet: &Body<'_>) -
     let through = || {
         subject.at.room.openings.iter().find_map(|place| {
             let wall = &subject.at.room.walls[place.wall];
-            let middle = wall.start + wall.direction() * f64::midpoint(place.from, place.to);
+            let middle = wall.after(f64::midpoint(place.from, place.to));
             let distance = ahead(middle).filter(|_| leads_to_kitchen(subject, place))?;
             Some((subject.opening(place.opening), distance))
         })

@@ -22,7 +22,7 @@ pub(crate) fn zones(subject: &Subject<'_>) -> Vec<Zone> {
             return None;
         }
         let wall = &subject.at.room.walls[place.wall];
-        let at = |along: f64, inward: f64| wall.start + wall.direction() * along + wall.normal() * inward;
+        let at = |along: f64, inward: f64| wall.after(along) + wall.normal() * inward;
         let face = Segment::new(at(place.from, 0.0), at(place.to, 0.0));
         Some(Zone {
             purpose: Purpose::Light(place.opening),

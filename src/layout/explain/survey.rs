@@ -52,7 +52,7 @@ fn places(environment: &Environment<'_>, agent: AgentIndex, rule: &ParentRule) -
         let count = if room < 0.0 { 0 } else { (room / STEP) as u32 + 1 };
         let pose = |number: u32| {
             let along = size.width / 2.0 + STEP * f64::from(number);
-            let position: Point = wall.start + wall.direction() * along + from_wall;
+            let position: Point = wall.after(along) + from_wall;
             Pose::new(position, rule.elevation.0, angle_of_front(wall.normal()))
         };
         let place = |number| Place { pose: pose(number), parent: ParentPart::Wall(index), side: Side::Front };

@@ -167,7 +167,7 @@ fn before(walls: &[Wall], leg: &Leg, bar: &Leg) -> Option<Leg> {
 /// A leg in the plan frame.
 fn stretch(walls: &[Wall], leg: &Leg) -> Segment {
     let wall = &walls[leg.wall];
-    let at = |metres: f64| wall.start + wall.direction() * metres;
+    let at = |metres: f64| wall.after(metres);
     Segment::new(at(leg.from), at(leg.to))
 }
 

@@ -127,7 +127,7 @@ fn bars(environment: &Environment<'_>, side: &RoomOpening, free: &Leg) -> Vec<Le
     );
     let ends = |side: &RoomOpening| {
         let wall = &room.walls[side.wall];
-        [side.from, side.to].map(|metres| wall.start + wall.direction() * metres)
+        [side.from, side.to].map(|metres| wall.after(metres))
     };
     let meets = |other: &RoomOpening| {
         ends(other).iter().any(|end| ends(side).iter().any(|corner| corner.distance(*end) < AT_CORNER))

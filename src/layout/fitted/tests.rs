@@ -160,7 +160,7 @@ fn open_to_end(level: &mut Level, kind: OpeningKind, (wall, from): (usize, f64),
     level.openings.push(Opening {
         id: opening.to_string(),
         kind,
-        center: segment.start + segment.direction() * f64::midpoint(from, to),
+        center: segment.after(f64::midpoint(from, to)),
         along: segment.direction(),
         width: to - from,
         bottom,

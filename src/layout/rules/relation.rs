@@ -346,7 +346,7 @@ fn targets<'a>(
             let kind = environment.brief.surroundings.level.openings[side.opening].kind;
             let is_wanted = (kind == OpeningKind::Window) == (*name == ParentName::Window);
             let wall = &room.walls[side.wall];
-            let middle = wall.start + wall.direction() * f64::midpoint(side.from, side.to);
+            let middle = wall.after(f64::midpoint(side.from, side.to));
             is_wanted.then(|| fixed(middle, wall.normal()))
         })),
         ParentName::Wall => {

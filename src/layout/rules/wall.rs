@@ -161,7 +161,7 @@ pub(super) fn propose_at_opening(
         }
         None => drawn,
     };
-    let middle = wall.start + wall.direction() * f64::midpoint(side.from, side.to);
+    let middle = wall.after(f64::midpoint(side.from, side.to));
     poses.push(Pose::new(middle + wall.normal() * (gap + reach), elevation, angle));
 }
 

@@ -104,7 +104,7 @@ fn tag_room(room: &mut Room, openings: &[Opening]) {
 /// The first wall met straight ahead when one enters through a door.
 fn opposite_wall(room: &Room, wall: usize, at: f64) -> Option<usize> {
     let entry = &room.walls[wall];
-    let start = entry.start + entry.direction() * at + entry.normal() * RAY_START;
+    let start = entry.after(at) + entry.normal() * RAY_START;
     let hits = room.walls.iter().enumerate().filter(|(index, _)| *index != wall);
     hits.filter_map(|(index, far)| Some((index, ray_hit(start, entry.normal(), far.segment())?)))
         .min_by(|a, b| a.1.total_cmp(&b.1))

@@ -74,7 +74,7 @@ fn free_stretches(wall: &Wall, low: f64, high: f64, solids: &OutlineIndex) -> Ve
     let mut stretches: Vec<(f64, f64)> = Vec::new();
     for index in 0..count {
         let (from, to) = (at(index), at(index + 1));
-        if is_walled(wall.start + wall.direction() * ((from + to) / 2.0), wall, solids) {
+        if is_walled(wall.after((from + to) / 2.0), wall, solids) {
             continue;
         }
         match stretches.last_mut() {
@@ -119,7 +119,7 @@ fn boundary(rooms: &[Room], place: WallPlace, far: WallPlace, low: f64, high: f6
     Request {
         id: format!("open:{}:{}", room.id, other.id),
         kind: OpeningKind::OpenBoundary,
-        center: wall.start + wall.direction() * ((low + high) / 2.0),
+        center: wall.after((low + high) / 2.0),
         along: wall.direction(),
         width: high - low,
         bottom: 0.0,

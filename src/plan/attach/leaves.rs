@@ -73,8 +73,8 @@ fn frame_of(opening: &Opening, rooms: &[Room], number: usize) -> Frame {
     let wall = &rooms[side.room].walls[side.wall];
     Frame {
         // Looking out at a wall whose room is on its left, the wall runs to the left.
-        left: wall.start + wall.direction() * side.to,
-        right: wall.start + wall.direction() * side.from,
+        left: wall.after(side.to),
+        right: wall.after(side.from),
         into: wall.normal(),
         room: Some(side.room),
         to_corner: [wall.length() - side.to, side.from],

@@ -210,7 +210,7 @@ fn nearest_direction(
     walls
         .map(|wall| {
             let place = (center - wall.start).dot(wall.direction()).clamp(0.0, wall.length());
-            (center.distance(wall.start + wall.direction() * place), wall.direction())
+            (center.distance(wall.after(place)), wall.direction())
         })
         .filter(|(distance, _)| *distance <= NEAREST_WALL)
         .min_by(|a, b| a.0.total_cmp(&b.0))

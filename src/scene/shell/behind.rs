@@ -213,7 +213,7 @@ impl<'s, 'l> Neighbourhood<'s, 'l> {
     /// Whether a ray begins in another room, as where rooms overlap.
     fn is_inside(&self, sector: &Sector, at: f64) -> bool {
         let point = sector.point(at, 2.0 * TOUCHING);
-        let place = self.wall.start + self.wall.direction() * point.x - self.wall.normal() * point.y;
+        let place = self.wall.after(point.x) - self.wall.normal() * point.y;
         self.near.iter().any(|&room| {
             let region = &self.storey.level.rooms[room].region;
             region.outline.bounds().contains(place) && region.contains(place)

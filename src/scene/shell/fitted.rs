@@ -86,7 +86,7 @@ fn over_worktop(socket: Fitted, room: &Room, worktops: &[Convex]) -> Fitted {
 fn fitted(fitting: Fitting, room: &Room, wall: usize, at: f64) -> Fitted {
     let on = &room.walls[wall];
     let elevation = if fitting == Fitting::Switch { SWITCH_HEIGHT } else { SOCKET_HEIGHT };
-    Fitted { fitting, wall, position: on.start + on.direction() * at, elevation }
+    Fitted { fitting, wall, position: on.after(at), elevation }
 }
 
 /// Whether the free end of a door's only leaf is farther along the wall than its hinge; so for doors without hinges.

@@ -116,7 +116,7 @@ impl Hole {
         let mut through = [f64::INFINITY, f64::NEG_INFINITY];
         for side in &opening.sides {
             let wall = wall_of(level, side);
-            let ends = [side.from, side.to].map(|at| wall.start + wall.direction() * at);
+            let ends = [side.from, side.to].map(|at| wall.after(at));
             let [low, high] = [local(ends[0]).min(local(ends[1])), local(ends[0]).max(local(ends[1]))];
             across = [across[0].max(low), across[1].min(high)];
             let inner = depth((ends[0] + ends[1]) / 2.0);

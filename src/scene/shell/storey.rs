@@ -74,7 +74,7 @@ fn doorway_sides(level: &Level, opening: &Opening) -> Vec<Border> {
     let (mut low, mut high, mut depth) = (first.from, first.to, built_thickness(wall));
     if let Some(second) = opening.sides.get(1) {
         let far = wall_of(level, second);
-        let ends = [second.from, second.to].map(|at| local(far.start + far.direction() * at));
+        let ends = [second.from, second.to].map(|at| local(far.after(at)));
         low = low.max(ends[0].x.min(ends[1].x));
         high = high.min(ends[0].x.max(ends[1].x));
         depth = f64::midpoint(ends[0].y, ends[1].y);

@@ -26,7 +26,7 @@ fn rectangle(id: &str, low: (f64, f64), high: (f64, f64)) -> Room {
 
 /// The ring of a wall's body in the level's frame.
 fn ring(wall: &Wall, footprint: &Footprint) -> Vec<Point> {
-    let at = |point: Point| wall.start + wall.direction() * point.x - wall.normal() * point.y;
+    let at = |point: Point| wall.after(point.x) - wall.normal() * point.y;
     let back = footprint.back.iter().map(|behind| at(behind.outer));
     let mut ring = vec![wall.end, wall.start];
     ring.extend(back);
@@ -135,8 +135,7 @@ fn a_corner_reaches_into_no_doorway() {
 fn join(level: &mut Level, walls: [(usize, usize); 2], (from, to): (f64, f64)) {
     let wall_of = |(room, wall): (usize, usize)| level.rooms[room].walls[wall].clone();
     let [first, second] = walls.map(wall_of);
-    let ends =
-        [from, to].map(|at| (first.start + first.direction() * at - second.start).dot(second.direction()));
+    let ends = [from, to].map(|at| (first.after(at) - second.start).dot(second.direction()));
     let spans = [(from, to), (ends[1].max(0.0), ends[0].min(second.length()))];
     if spans.iter().any(|(from, to)| from >= to) {
         return;
@@ -151,7 +150,7 @@ fn join(level: &mut Level, walls: [(usize, usize); 2], (from, to): (f64, f64)) {
     level.openings.push(Opening {
         id: index.to_string(),
         kind: OpeningKind::Passage,
-        center: first.start + first.direction() * f64::midpoint(from, to),
+        center: first.after(f64::midpoint(from, to)),
         along: first.direction(),
         width: to - from,
         bottom: 0.0,
