@@ -1,12 +1,13 @@
 //! Code that the readers of foreign formats share.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::Read;
 use std::path::Path;
 
+use super::native::number_of_id;
 use crate::disk::open_regular;
 use crate::document::{Faults, suggest};
-use crate::plan::GENERIC_ROOM_TYPE;
+use crate::plan::{GENERIC_ROOM_TYPE, RoomDraft};
 
 /// Metres of the widest door with one leaf, where a format has no word for sliding doors: wider ones slide, as those of balconies.
 pub(super) const WIDEST_LEAF: f64 = 1.6;
@@ -133,6 +134,55 @@ pub(super) fn id_of_file(path: &Path, otherwise: &str) -> String {
     if id.is_empty() { otherwise.to_owned() } else { id }
 }
 
+/// Ids that are given already: those of a file's buildings, of a building's levels, or of a level's rooms or openings.
+#[derive(Debug, Default)]
+pub(super) struct UniqueIds {
+    taken: BTreeSet<String>,
+    /// The number to try next behind an id, so that a thousand rooms of one name take no million steps.
+    next: BTreeMap<String, usize>,
+}
+
+impl UniqueIds {
+    /// The id; where it is taken, with `_2`, `_3` and so on behind it.
+    pub(super) fn numbered(&mut self, id: &str) -> String {
+        let next = self.next.entry(id.to_owned()).or_insert(1);
+        loop {
+            let own = if *next == 1 { id.to_owned() } else { format!("{id}_{next}") };
+            *next += 1;
+            if self.taken.insert(own.clone()) {
+                return own;
+            }
+        }
+    }
+
+    /// As [`Self::numbered`], of the [`slug`] of a name; `otherwise` for a name without a Latin letter or digit.
+    pub(super) fn of_name(&mut self, name: &str, otherwise: &str) -> String {
+        let slug = slug(name);
+        self.numbered(if slug.is_empty() { otherwise } else { &slug })
+    }
+
+    /// The first of several ids that is neither empty nor taken.
+    pub(super) fn first_free(&mut self, ids: impl IntoIterator<Item = String>) -> Option<String> {
+        ids.into_iter().find(|id| !id.is_empty() && self.taken.insert(id.clone()))
+    }
+}
+
+impl FromIterator<String> for UniqueIds {
+    fn from_iter<T: IntoIterator<Item = String>>(taken: T) -> Self {
+        Self { taken: taken.into_iter().collect(), next: BTreeMap::new() }
+    }
+}
+
+/// Gives the rooms of a level the numbers of their ids, on which their seeds depend: a room keeps its furniture where others are
+/// added before it. Of two with one number the first has it.
+pub(super) fn number_rooms(rooms: &mut [RoomDraft]) {
+    let mut taken = BTreeSet::new();
+    for room in rooms {
+        let number = number_of_id(&room.id);
+        room.number = taken.insert(number).then_some(number);
+    }
+}
+
 /// Both values, or the faults of both.
 pub(super) fn both<A, B>(first: Result<A, Faults>, second: Result<B, Faults>) -> Result<(A, B), Faults> {
     match (first, second) {
@@ -153,6 +203,18 @@ mod tests {
     fn a_building_is_named_as_its_file_without_the_ending() {
         assert_eq!(id_of_file(Path::new("plans/My flat (2).json"), "plan"), "my_flat_2");
         assert_eq!(id_of_file(Path::new("未命名.json"), "plan"), "plan");
+    }
+
+    #[test]
+    fn no_two_ids_are_equal() {
+        let mut ids = UniqueIds::default();
+        let names = ["Bad", "Bad 2", "bad", "Bad", "厨房"];
+        assert_eq!(names.map(|name| ids.of_name(name, "room")), ["bad", "bad_2", "bad_3", "bad_4", "room"]);
+        let first_free = |ids: &mut UniqueIds, wanted: [&str; 3]| ids.first_free(wanted.map(str::to_owned));
+        assert_eq!(first_free(&mut ids, ["", "bad", "7"]).as_deref(), Some("7"));
+        assert_eq!(first_free(&mut ids, ["", "bad", "7"]), None);
+        let mut others: UniqueIds = ["a".to_owned()].into_iter().collect();
+        assert_eq!(["a", "a"].map(|id| others.numbered(id)), ["a_2", "a_3"]);
     }
 
     #[test]

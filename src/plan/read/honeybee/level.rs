@@ -1,14 +1,13 @@
 //! Drafts the levels of a building from its storeys.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use super::model::{Space, Storey, part};
 use super::notes::{Notes, STEPPED};
 use super::openings::openings;
 use super::room_types::{Naming, type_of};
 use crate::plan::limits::{BUILDING_LEVELS, BUILDING_ROOMS, LEVEL_OPENINGS};
-use crate::plan::read::foreign::{TypeOfWord, slug};
-use crate::plan::read::native::number_of_id;
+use crate::plan::read::foreign::{TypeOfWord, UniqueIds, number_rooms};
 use crate::plan::{LevelDraft, OutlineKind, RoomDraft};
 
 /// Metres of walls to the open air; models draw their inner faces, and give them layers instead of a thickness.
@@ -34,7 +33,7 @@ pub(super) fn drafts(
     storeys.sort_by(|one, two| usual_floor(&one.spaces).total_cmp(&usual_floor(&two.spaces)));
     let elevations: Vec<f64> = storeys.iter().map(|storey| usual_floor(&storey.spaces)).collect();
     let mut building = Building {
-        ids: BTreeSet::new(),
+        ids: UniqueIds::default(),
         levels: Vec::new(),
         room_count: 0,
         opening_count: 0,
@@ -50,7 +49,7 @@ pub(super) fn drafts(
 }
 
 struct Building {
-    ids: BTreeSet<String>,
+    ids: UniqueIds,
     levels: Vec<LevelDraft>,
     room_count: usize,
     opening_count: usize,
@@ -81,18 +80,9 @@ impl Building {
             (self.room_count, self.opening_count) = (rooms, openings);
             let name = if copy == 0 { draft.name.clone() } else { format!("{} ({})", draft.name, copy + 1) };
             let elevation = draft.elevation + draft.height * copy as f64;
-            let id = self.free_id(&storey.name, copy);
+            let id = self.ids.of_name(&storey.name, "level");
             self.levels.push(LevelDraft { id, name, elevation, ..draft.clone() });
         }
-    }
-
-    fn free_id(&mut self, name: &str, copy: usize) -> String {
-        let stem = Some(slug(name)).filter(|stem| !stem.is_empty());
-        let stem = stem.unwrap_or_else(|| "level".to_owned());
-        let first = if copy == 0 { stem.clone() } else { format!("{stem}_{}", copy + 1) };
-        let others = (copy + 2..).map(|number| format!("{stem}_{number}"));
-        let mut ids = std::iter::once(first).chain(others);
-        ids.find(|id| self.ids.insert(id.clone())).unwrap_or(stem)
     }
 }
 
@@ -116,14 +106,10 @@ fn draft(storey: &Storey, above: Option<f64>, naming: &mut Naming<'_>, notes: &m
     let highest = spaces.iter().map(|space| space.height).fold(0.0, f64::max);
     let is_storey = |height: &f64| *height >= LOWEST_STOREY;
     let height = storey.height.filter(is_storey).or(above.filter(is_storey));
-    let mut numbers = BTreeSet::new();
     let mut room = |space: &Space| {
         let TypeOfWord { room_type, unknown_word } = type_of(space, naming);
-        let id = space.id.replace('/', "_");
-        let number = number_of_id(&id);
         RoomDraft {
-            number: numbers.insert(number).then_some(number),
-            id,
+            id: space.id.replace('/', "_"),
             name: space.name.clone(),
             room_type,
             unknown_word,
@@ -133,7 +119,8 @@ fn draft(storey: &Storey, above: Option<f64>, naming: &mut Naming<'_>, notes: &m
             ..RoomDraft::default()
         }
     };
-    let rooms: Vec<RoomDraft> = spaces.iter().map(&mut room).collect();
+    let mut rooms: Vec<RoomDraft> = spaces.iter().map(&mut room).collect();
+    number_rooms(&mut rooms);
     LevelDraft {
         name: storey.name.clone(),
         elevation,

@@ -29,14 +29,13 @@ mod real_models;
 #[cfg(test)]
 mod tests;
 
-use std::collections::BTreeSet;
 use std::path::Path;
 
 use self::model::{Place, Storey, part};
 use self::notes::Notes;
 use self::room_types::{NAME, Naming};
 use self::schema::{Building, Model};
-use super::foreign::{id_of_file, slug};
+use super::foreign::{UniqueIds, id_of_file, slug};
 use super::reader::{DraftedBuilding, ForeignFormat, ReadBuildings, ReadFormat, ReadResult};
 use super::sample::Sample;
 use crate::document::{Fault, Source, did_you_mean};
@@ -99,12 +98,16 @@ fn read(path: &Path, words: &RoomWords) -> ReadResult {
         drafted.push(DraftedBuilding { id, draft, is_settled: true, ..DraftedBuilding::default() });
     };
     let buildings = model.buildings.as_deref().unwrap_or_default();
-    let mut ids = BTreeSet::new();
+    let mut ids = UniqueIds::default();
     for (number, building) in buildings.iter().enumerate() {
         let place = vec!["buildings".into(), number.into()];
         let storeys = storeys_of(building, unit, &place, &mut notes);
         let levels = level::drafts(storeys, &mut naming, &mut notes);
-        let id = if buildings.len() == 1 { stem.clone() } else { building_id(building, &stem, &mut ids) };
+        let id = if buildings.len() == 1 {
+            stem.clone()
+        } else {
+            building_id(building, &stem, number + 1, &mut ids)
+        };
         add(id, building.display_name.as_ref(), levels);
     }
     if let Some(rooms) = model.rooms.as_ref().filter(|rooms| !rooms.is_empty()) {
@@ -161,11 +164,11 @@ fn storeys_of(building: &Building, unit: f64, place: &Place, notes: &mut Notes) 
     storeys
 }
 
-/// A name that reads well in paths.
-fn building_id(building: &Building, stem: &str, taken: &mut BTreeSet<String>) -> String {
+/// A name that reads well in paths; `number` counts the buildings of the file from 1.
+fn building_id(building: &Building, stem: &str, number: usize, ids: &mut UniqueIds) -> String {
     let name = building.display_name.as_deref().unwrap_or(&building.identifier);
-    let own = [slug(name), slug(&building.identifier), format!("{stem}_{}", taken.len() + 1)];
+    let own = [slug(name), slug(&building.identifier), format!("{stem}_{number}")];
+    // Without a number it is the id of the building of the rooms that no building has.
     let copies = (2..).map(|number| format!("{stem}_{number}"));
-    let mut ids = own.into_iter().filter(|id| !id.is_empty()).chain(copies);
-    ids.find(|id| taken.insert(id.clone())).unwrap_or_else(|| stem.to_owned())
+    ids.first_free(own.into_iter().chain(copies)).unwrap_or_else(|| stem.to_owned())
 }

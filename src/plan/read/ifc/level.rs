@@ -9,7 +9,7 @@ use super::placement::Geometry;
 use super::relations::Relations;
 use super::rooms::{Naming, Outlined, Space, space};
 use crate::geometry::Point;
-use crate::plan::read::foreign::slug;
+use crate::plan::read::foreign::UniqueIds;
 use crate::plan::{LeafDraft, LevelDraft, OpeningPlace, OutlineKind};
 
 /// Metres of slab between the highest ceiling and what is above, where no storey says more.
@@ -55,7 +55,7 @@ impl Storey {
     ) -> Self {
         let model = geometry.model;
         let Spaces { own, relations, naming } = spaces;
-        naming.taken.clear();
+        naming.taken = UniqueIds::default();
         let mut read: Vec<Space> = Vec::new();
         let mut bodiless: Vec<Entity> = Vec::new();
         for entity in own {
@@ -127,7 +127,7 @@ fn elevation(geometry: &Geometry<'_>, frame: &DAffine3, storey: &Entity, floor: 
 pub(super) fn stack(storeys: &mut Vec<Storey>) {
     storeys.retain(|storey| !storey.draft.rooms.is_empty());
     storeys.sort_by(|a, b| a.draft.elevation.total_cmp(&b.draft.elevation).then(a.id.cmp(&b.id)));
-    let mut taken = BTreeSet::new();
+    let mut ids = UniqueIds::default();
     for index in 0..storeys.len() {
         let own = storeys[index].draft.elevation;
         let above = storeys[index + 1..].iter().map(|storey| storey.draft.elevation - own);
@@ -135,11 +135,7 @@ pub(super) fn stack(storeys: &mut Vec<Storey>) {
         let storey = &mut storeys[index];
         storey.draft.height = above.unwrap_or(storey.top - own);
         storey.top = storey.top.max(own + storey.draft.height);
-        let name = Some(slug(&storey.draft.name)).filter(|name| !name.is_empty());
-        let name = name.unwrap_or_else(|| format!("storey_{index}"));
-        let copies = (2..).map(|copy| format!("{name}_{copy}"));
-        let id = std::iter::once(name.clone()).chain(copies).find(|id| taken.insert(id.clone()));
-        storey.draft.id = id.unwrap_or_default();
+        storey.draft.id = ids.of_name(&storey.draft.name, &format!("storey_{index}"));
     }
 }
 

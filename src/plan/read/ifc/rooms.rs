@@ -1,7 +1,5 @@
 //! Turns spaces into drafted rooms.
 
-use std::collections::BTreeSet;
-
 use glam::DAffine3;
 
 use super::boundary::bounded;
@@ -9,7 +7,7 @@ use super::footprint::{Footprint, footprints};
 use super::model::{Entity, Model, Read};
 use super::placement::Geometry;
 use crate::plan::RoomDraft;
-use crate::plan::read::foreign::TypeOfWord;
+use crate::plan::read::foreign::{TypeOfWord, UniqueIds};
 
 /// A space on its storey.
 pub(super) struct Space {
@@ -85,7 +83,7 @@ pub(super) fn drafted(space: &Entity, parts: Vec<Footprint>, naming: &mut Naming
 /// Ids of the rooms of a level and their types, and the spaces of the file whose outline is no body's.
 pub(super) struct Naming<'a> {
     /// Ids of the level that is read.
-    pub(super) taken: BTreeSet<String>,
+    pub(super) taken: UniqueIds,
     /// Spaces whose outline is that of their boundaries, which some programs draw in the middle of walls.
     pub(super) bounded: Vec<u64>,
     /// Those of them without a body, and those with the outline of the walls around them.
@@ -97,7 +95,7 @@ pub(super) struct Naming<'a> {
 impl<'a> Naming<'a> {
     pub(super) fn new(room_type: &'a dyn Fn(&Entity) -> TypeOfWord) -> Self {
         Self {
-            taken: BTreeSet::new(),
+            taken: UniqueIds::default(),
             bounded: Vec::new(),
             by_boundaries: Vec::new(),
             by_walls: Vec::new(),
@@ -123,8 +121,7 @@ impl<'a> Naming<'a> {
     fn id(&mut self, space: &Entity) -> String {
         let global = space.text(0).map(str::to_owned).unwrap_or_default();
         let ids = [plain(space.text(2).unwrap_or_default()), plain(&global), format!("space_{}", space.id)];
-        let free = ids.into_iter().find(|id| !id.is_empty() && self.taken.insert(id.clone()));
-        free.unwrap_or_default()
+        self.taken.first_free(ids).unwrap_or_default()
     }
 }
 

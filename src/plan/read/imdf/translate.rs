@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::features::{LevelProperties, OpeningProperties, UnitProperties, label};
 use super::{Archive, NAME};
 use crate::document::{FaultSeverity, Faults, PathStep};
-use crate::plan::read::foreign::{TypeOfWord, slug, unknown_words};
+use crate::plan::read::foreign::{TypeOfWord, UniqueIds, slug, unknown_words};
 use crate::plan::read::geojson::{Feature, Geometry, outlines, plane_of, points};
 use crate::plan::read::indoor::{STOREY_HEIGHT, Storey, opening_along};
 use crate::plan::read::reader::{DraftedBuilding, ReadBuildings, ReadResult};
@@ -19,14 +19,16 @@ pub(super) fn buildings(archive: &Archive, words: &RoomWords) -> ReadResult {
     let mut translation = Translation::of(archive, words);
     translation.report_strays();
     let mut buildings = Vec::new();
-    let mut ids = BTreeSet::new();
+    let mut ids = UniqueIds::default();
     for building in &archive.buildings.features {
         let levels = translation.levels_of(&building.id);
         if levels.is_empty() {
             continue;
         }
         let name = label(building.properties.name.as_ref());
-        let id = building_id(name.as_deref(), &building.id, &mut ids);
+        // A name that reads well in paths, or the feature's own id.
+        let wanted = [slug(name.as_deref().unwrap_or_default()), building.id.clone()];
+        let id = ids.first_free(wanted).unwrap_or_else(|| building.id.clone());
         let levels = translation.levels(&levels);
         buildings.push(DraftedBuilding {
             id,
@@ -36,14 +38,6 @@ pub(super) fn buildings(archive: &Archive, words: &RoomWords) -> ReadResult {
     }
     translation.report_unknown_words();
     ReadBuildings::new(buildings, translation.faults)
-}
-
-/// A name that reads well in paths, or the feature's own id.
-fn building_id(name: Option<&str>, own: &str, taken: &mut BTreeSet<String>) -> String {
-    let id = slug(name.unwrap_or_default());
-    let id = if id.is_empty() || taken.contains(&id) { own.to_owned() } else { id };
-    taken.insert(id.clone());
-    id
 }
 
 struct Translation<'a> {

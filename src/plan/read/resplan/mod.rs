@@ -21,7 +21,6 @@ mod sheet;
 #[cfg(test)]
 mod tests;
 
-use std::collections::BTreeSet;
 use std::path::Path;
 
 use serde_json::Value;
@@ -29,7 +28,7 @@ use serde_json::Value;
 use self::level::Classes;
 use self::notes::{NAME, Notes};
 use self::sheet::sheets;
-use super::foreign::{id_of_file, slug};
+use super::foreign::{UniqueIds, id_of_file, slug};
 use super::reader::{DraftedBuilding, ForeignFormat, ReadBuildings, ReadFormat, ReadResult};
 use super::sample::Sample;
 use crate::document::{Fault, Source};
@@ -93,16 +92,14 @@ fn read(path: &Path, options: &PlanOptions<'_>) -> ReadResult {
     let sheets = sheets(&value, &mut notes);
     let is_single = sheets.len() == 1;
     let given = options.planning.and_then(|planning| planning.choices.metres_per_unit);
-    let mut taken = BTreeSet::new();
+    let mut ids = UniqueIds::default();
     let mut drafted = Vec::with_capacity(sheets.len());
     for sheet in &sheets {
         let Some(metres) = scale::metres_per_unit(sheet, given, &mut notes) else { continue };
         let Some(level) = level::draft(sheet, metres, &mut classes, &mut notes) else { continue };
         let own = slug(&sheet.id);
         let id = if is_single || own.is_empty() { stem.clone() } else { format!("{stem}_{own}") };
-        let copies = (2..).map(|number| format!("{id}_{number}"));
-        let mut ids = std::iter::once(id.clone()).chain(copies);
-        let id = ids.find(|id| taken.insert(id.clone())).unwrap_or_default();
+        let id = ids.numbered(&id);
         let draft = BuildingDraft { levels: vec![level], ..BuildingDraft::default() };
         drafted.push(DraftedBuilding { id, draft, is_settled: true, ..DraftedBuilding::default() });
     }

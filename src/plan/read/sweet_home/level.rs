@@ -1,6 +1,6 @@
 //! Drafts the levels of a home.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use super::faces::Bodies;
 use super::faults::Notes;
@@ -12,7 +12,7 @@ use super::walls::{Body, bodies, usual_thicknesses};
 use crate::document::counted;
 use crate::geometry::Point;
 use crate::plan::limits::STOREY_HEIGHT;
-use crate::plan::read::foreign::slug;
+use crate::plan::read::foreign::UniqueIds;
 use crate::plan::read::straight::straightened;
 use crate::plan::{LevelDraft, OpeningPlace, OutlineKind, RoomDraft};
 
@@ -52,12 +52,12 @@ pub(super) fn storeys<'a>(home: &'a Home, notes: &mut Notes) -> Vec<Storey<'a>> 
         let message = format!("levels \"{}\" and \"{}\" lie on the same height", pair[0].name, pair[1].name);
         notes.warn(pair[1].place, message, "both are read; delete one that is only a variant of the other");
     }
-    let mut ids = BTreeSet::new();
+    let mut ids = UniqueIds::default();
     let mut storeys: Vec<Storey<'a>> = Vec::new();
     let mut numbers: BTreeMap<String, usize> = BTreeMap::new();
     for level in levels {
         numbers.entry(level.id.clone()).or_insert(storeys.len());
-        let id = level_id(&level.name, storeys.len(), &mut ids);
+        let id = ids.of_name(&level.name, &format!("level_{}", storeys.len()));
         storeys.push(Storey { level, id, rooms: Vec::new(), walls: Vec::new(), pieces: Vec::new() });
     }
     let first = numbers[&first];
@@ -68,14 +68,6 @@ pub(super) fn storeys<'a>(home: &'a Home, notes: &mut Notes) -> Vec<Storey<'a>> 
     home.walls.iter().for_each(|wall| storeys[of(&wall.level)].walls.push(wall));
     home.pieces.iter().for_each(|piece| storeys[of(&piece.level)].pieces.push(piece));
     storeys
-}
-
-fn level_id(name: &str, number: usize, taken: &mut BTreeSet<String>) -> String {
-    let stem = Some(slug(name)).filter(|stem| !stem.is_empty());
-    let stem = stem.unwrap_or_else(|| format!("level_{number}"));
-    let copies = (2..).map(|copy| format!("{stem}_{copy}"));
-    let mut ids = std::iter::once(stem.clone()).chain(copies);
-    ids.find(|id| taken.insert(id.clone())).unwrap_or(stem)
 }
 
 /// Drafts the levels that have rooms.
@@ -197,15 +189,13 @@ impl Storey<'_> {
     }
 
     fn draft_openings(&self, rooms: &mut [RoomDraft], bodies: &Bodies<'_>) -> Vec<crate::plan::OpeningDraft> {
-        let mut taken = BTreeSet::new();
+        let mut taken = UniqueIds::default();
         let mut drafts = Vec::new();
         for piece in &self.pieces {
             let Some(cut) = &piece.cut else { continue };
             let number = drafts.len() + 1;
-            let ids = [piece.id.clone().unwrap_or_default(), format!("opening_{number}")];
-            let Some(id) = ids.into_iter().find(|id| !id.is_empty() && taken.insert(id.clone())) else {
-                continue;
-            };
+            let own = piece.id.clone().unwrap_or_default();
+            let Some(id) = taken.first_free([own, format!("opening_{number}")]) else { continue };
             let (draft, is_round) = opening(piece, cut, id, bodies);
             if let (true, OpeningPlace::Points { center, along: Some(along) }) = (is_round, &draft.place) {
                 straighten(rooms, *center, *along, draft.width);

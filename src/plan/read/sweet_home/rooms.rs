@@ -1,6 +1,6 @@
 //! Drafts the rooms of a level: their outlines, ids and types.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use super::faces::Bodies;
 use super::faults::Notes;
@@ -8,8 +8,7 @@ use super::home::{HomeRoom, Piece};
 use crate::geometry::{Bounds, Point, ring_contains};
 use crate::plan::assemble::BoxIndex;
 use crate::plan::limits::LEVEL_ROOMS;
-use crate::plan::read::foreign::{TypeOfWord, slug};
-use crate::plan::read::native::number_of_id;
+use crate::plan::read::foreign::{TypeOfWord, UniqueIds, number_rooms};
 use crate::plan::read::room_names::{TypedNames, plain_words};
 use crate::plan::read::walled::WalledArea;
 use crate::plan::{RoomDraft, RoomWords};
@@ -27,7 +26,7 @@ pub(super) fn drawn_rooms(
     naming: &mut Naming<'_>,
     notes: &mut Notes,
 ) -> Vec<RoomDraft> {
-    let mut ids = Ids::default();
+    let mut ids = UniqueIds::default();
     let is_compared = rooms.len() <= MOST_COMPARED && !bodies.are_tangled();
     let mut cut_count = 0;
     let mut first_cut = None;
@@ -46,19 +45,11 @@ pub(super) fn drawn_rooms(
         let WalledArea { outline, holes } =
             cut.unwrap_or_else(|| WalledArea { outline: room.outline.clone(), holes: Vec::new() });
         let TypeOfWord { room_type, unknown_word } = naming.of_name(room.name.as_deref(), || room.place);
-        let id = ids.free(room.name.as_deref().unwrap_or_default(), room.id.as_deref());
-        let number = ids.free_number(&id);
+        // A name that people gave, else the id of the program that wrote the file.
+        let own = room.id.as_deref().filter(|own| !own.is_empty() && !own.contains('/'));
+        let id = ids.of_name(room.name.as_deref().unwrap_or_default(), own.unwrap_or("room"));
         let name = room.name.clone();
-        drafts.push(RoomDraft {
-            id,
-            number,
-            name,
-            room_type,
-            unknown_word,
-            outline,
-            holes,
-            ..RoomDraft::default()
-        });
+        drafts.push(RoomDraft { id, name, room_type, unknown_word, outline, holes, ..RoomDraft::default() });
     }
     if let Some(place) = first_cut {
         let rooms = if cut_count == 1 { "1 room is".to_owned() } else { format!("{cut_count} rooms are") };
@@ -69,19 +60,21 @@ pub(super) fn drawn_rooms(
             "double-click between the walls with the tool for rooms to draw one that fits",
         );
     }
+    number_rooms(&mut drafts);
     drafts
 }
 
 /// The areas that the walls of a level enclose, as rooms without a name.
 pub(super) fn enclosed_rooms(bodies: &Bodies<'_>) -> Vec<RoomDraft> {
-    let mut ids = Ids::default();
+    let mut ids = UniqueIds::default();
     let rooms = bodies.enclosed().into_iter().map(|WalledArea { outline, holes }| {
         let TypeOfWord { room_type, unknown_word } = TypeOfWord::unknown("");
-        let id = ids.free("room", None);
-        let number = ids.free_number(&id);
-        RoomDraft { id, number, room_type, unknown_word, outline, holes, ..RoomDraft::default() }
+        let id = ids.numbered("room");
+        RoomDraft { id, room_type, unknown_word, outline, holes, ..RoomDraft::default() }
     });
-    rooms.take(LEVEL_ROOMS).collect()
+    let mut rooms: Vec<RoomDraft> = rooms.take(LEVEL_ROOMS).collect();
+    number_rooms(&mut rooms);
+    rooms
 }
 
 /// Notes in each room what stands in it, as far as guesses of its type ask for it.
@@ -134,41 +127,5 @@ impl RoomIndex {
             self.0.meeting(Bounds::around_point(point, 0.0)).take(MOST_LAYERS).collect();
         near.sort_unstable();
         near.into_iter().find(|room| ring_contains(&rooms[*room].outline, point))
-    }
-}
-
-/// Ids and numbers that are given already.
-#[derive(Default)]
-struct Ids {
-    taken: BTreeSet<String>,
-    numbers: BTreeSet<u32>,
-    /// Stem → the last number behind it.
-    copies: BTreeMap<String, usize>,
-}
-
-impl Ids {
-    /// An id from a name that people gave, else the id of the program that wrote the file, else a number.
-    fn free(&mut self, name: &str, own: Option<&str>) -> String {
-        let stem = slug(name);
-        let own = own.filter(|own| !own.is_empty() && !own.contains('/'));
-        let stem = match (stem.is_empty(), own) {
-            (false, _) => stem,
-            (true, Some(own)) => own.to_owned(),
-            (true, None) => "room".to_owned(),
-        };
-        let last = self.copies.entry(stem.clone()).or_default();
-        loop {
-            *last += 1;
-            let id = if *last == 1 { stem.clone() } else { format!("{stem}_{last}") };
-            if self.taken.insert(id.clone()) {
-                return id;
-            }
-        }
-    }
-
-    /// The number of an id, so that a room keeps its furniture when others are added before it.
-    fn free_number(&mut self, id: &str) -> Option<u32> {
-        let number = number_of_id(id);
-        self.numbers.insert(number).then_some(number)
     }
 }

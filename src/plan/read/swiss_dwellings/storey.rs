@@ -1,23 +1,22 @@
 //! Turns the elements of a floor into a drawing with areas, and that into a level, as the program does that the data set was made
 //! with.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use super::elements::{Element, Entity};
 use super::notes::Notes;
 use super::room_types::RoomTypes;
 use crate::geometry::Point;
+use crate::plan::LevelDraft;
 use crate::plan::read::archilyse::areas::{Area, Outline};
 use crate::plan::read::archilyse::drawing::{
     Drawing, Hole, HoleHeights, HoleProperties, Item, ItemProperties, Layer, Line, Measure, Rings,
 };
 use crate::plan::read::archilyse::level::{Floor, Heights, Naming, level};
-use crate::plan::read::foreign::WIDEST_LEAF;
-use crate::plan::read::native::number_of_id;
+use crate::plan::read::foreign::{WIDEST_LEAF, number_rooms};
 use crate::plan::read::oriented::Oriented;
 use crate::plan::read::solids::solid_pieces;
 use crate::plan::units::CENTIMETRE;
-use crate::plan::{LevelDraft, RoomDraft};
 
 /// Metres of a sill below which a window's elevation is that of its floor.
 const LEAST_SILL: f64 = 0.05;
@@ -211,15 +210,6 @@ fn item(element: &Element, kind: &str) -> Option<Item> {
 
 fn rings(ring: &[Point]) -> Rings {
     vec![ring.iter().map(|corner| corner.to_array()).collect()]
-}
-
-/// Seeds of rooms are made from their ids, so that a room that is added or removed changes no other.
-fn number_rooms(rooms: &mut [RoomDraft]) {
-    let mut taken = BTreeSet::new();
-    for room in rooms {
-        let number = number_of_id(&room.id);
-        room.number = taken.insert(number).then_some(number);
-    }
 }
 
 /// The value that most have, to a centimetre; the lowest of equals.

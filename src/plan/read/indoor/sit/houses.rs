@@ -1,12 +1,12 @@
 //! Which building each space is in.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use super::mapped::Mapped;
 use super::sort::{Sorted, Space, corners};
 use crate::geometry::{Bounds, Point};
 use crate::plan::assemble::BoxIndex;
-use crate::plan::read::foreign::slug;
+use crate::plan::read::foreign::{UniqueIds, slug};
 use crate::plan::read::osm::holds;
 use crate::plan::units::LocalPlane;
 
@@ -44,19 +44,14 @@ pub(super) fn houses<'a>(sorted: &'a Sorted, plane: &LocalPlane, own_id: &str) -
         members.entry(house).or_default().push(number);
         middles.push(bounds);
     }
-    let mut taken = BTreeSet::new();
+    let mut ids = UniqueIds::default();
     members
         .into_iter()
         .map(|(house, spaces)| {
             let outline = sorted.outlines.get(house).map(|(outline, _)| outline);
             let around = spaces.iter().map(|&space| middles[space]).reduce(Bounds::union);
             let position = around.map_or(Point::ZERO, |bounds| bounds.center().round());
-            House {
-                id: id_of(outline, own_id, &mut taken),
-                outline,
-                spaces,
-                position: position + Point::ZERO,
-            }
+            House { id: id_of(outline, own_id, &mut ids), outline, spaces, position: position + Point::ZERO }
         })
         .collect()
 }
@@ -76,14 +71,9 @@ fn holder(place: Point, rings: &[(usize, Vec<Point>)], index: &BoxIndex<usize>) 
 }
 
 /// A name that reads well in paths, the id of the outline, or that of the map.
-fn id_of(outline: Option<&Mapped>, own_id: &str, taken: &mut BTreeSet<String>) -> String {
-    let name = outline.and_then(|outline| outline.tag("name")).map(slug).filter(|name| !name.is_empty());
-    let own = outline.map_or_else(|| own_id.to_owned(), |outline| outline.id.clone());
-    let mut id = name.filter(|name| !taken.contains(name)).unwrap_or(own);
-    while !taken.insert(id.clone()) {
-        id.push_str("_2");
-    }
-    id
+fn id_of(outline: Option<&Mapped>, own_id: &str, ids: &mut UniqueIds) -> String {
+    let name = outline.and_then(|outline| outline.tag("name")).map(slug);
+    ids.first_free(name).unwrap_or_else(|| ids.numbered(outline.map_or(own_id, |outline| &outline.id)))
 }
 
 fn bounds_of(space: &Space, plane: &LocalPlane) -> Bounds {
