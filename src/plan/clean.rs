@@ -1,5 +1,7 @@
 //! Turns rings of a plan into simple polygons; each edge still knows its edge in the plan.
 
+use std::fmt;
+
 use super::limits::{COORDINATE, OUTLINE_CORNERS};
 use crate::geometry::{CORNER_TOLERANCE, Point, Polygon, PolygonFault, Segment};
 
@@ -43,6 +45,31 @@ pub(super) enum RingFault {
     TooManyCorners(usize),
     /// Square metres and mean metres of width of a leftover.
     Sliver(f64, f64),
+}
+
+impl RingFault {
+    /// The corner at fault, if one is.
+    pub(super) fn corner(&self) -> Option<usize> {
+        match self {
+            Self::Polygon(PolygonFault::NotFinite(corner) | PolygonFault::SelfCrossing(corner, _))
+            | Self::TooFar(corner, _) => Some(*corner),
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for RingFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Polygon(fault) => fault.fmt(f),
+            Self::TooFar(corner, distance) => {
+                let (distance, most) = (distance / 1000.0, COORDINATE / 1000.0);
+                write!(f, "corner {corner} is {distance:.0} km from the origin, {most} km are the most")
+            }
+            Self::TooManyCorners(count) => write!(f, "outline has {count} corners"),
+            Self::Sliver(area, width) => write!(f, "outline is a sliver of {area:.4} m², {width:.3} m wide"),
+        }
+    }
 }
 
 /// A corner of a ring in the making.

@@ -44,6 +44,11 @@ const MISTAKEN_UNITS: [(f64, &str); 3] = [
     (10.0, "millimetres are read as centimetres"),
 ];
 
+/// Whether a point can be a place of a plan: it is finite, and not beyond [`COORDINATE`].
+pub(crate) fn is_place(point: Point) -> bool {
+    point.is_finite() && point.abs().max_element() <= COORDINATE
+}
+
 /// Why something is larger than it may be.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Excess {

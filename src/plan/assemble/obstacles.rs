@@ -2,7 +2,7 @@
 
 use geo::BooleanOps;
 
-use super::{Assembly, BoxIndex, problems};
+use super::{Assembly, BoxIndex};
 use crate::geometry::Polygon;
 use crate::plan::clean::{clean_ring, to_polygon, to_surface};
 use crate::plan::{Obstacle, Problem, Room, Subject};
@@ -19,7 +19,7 @@ pub(super) fn place_obstacles(assembly: &mut Assembly<'_>) {
         let outline = match clean_ring(&obstacle.outline, &[]).map(|ring| ring.polygon) {
             Ok(outline) => outline,
             Err(fault) => {
-                let message = format!("column {number}: {}", problems::ring_fault(&fault));
+                let message = format!("column {number}: {fault}");
                 assembly.problems.push(Problem::error(
                     subject,
                     message,

@@ -3,7 +3,7 @@
 use super::super::attach::{AttachFault, Request};
 use super::super::clean::{HoleFault, RingFault};
 use crate::geometry::PolygonFault;
-use crate::plan::limits::{COORDINATE, OUTLINE_CORNERS, ROOM_OPENINGS};
+use crate::plan::limits::{OUTLINE_CORNERS, ROOM_OPENINGS};
 use crate::plan::{Opening, Problem, Room, Subject};
 
 impl Problem {
@@ -33,12 +33,8 @@ pub(super) fn duplicate(subject: Subject, what: &str, id: &str) -> Problem {
 
 /// A room's outline that is none.
 pub(super) fn bad_outline(room: usize, id: &str, fault: &RingFault) -> Problem {
-    let subject = match fault {
-        RingFault::Polygon(PolygonFault::NotFinite(corner) | PolygonFault::SelfCrossing(corner, _))
-        | RingFault::TooFar(corner, _) => Subject::RoomCorner(room, *corner),
-        _ => Subject::Room(room),
-    };
-    let message = format!("room \"{id}\": {}", ring_fault(fault));
+    let subject = fault.corner().map_or(Subject::Room(room), |corner| Subject::RoomCorner(room, corner));
+    let message = format!("room \"{id}\": {fault}");
     match fault {
         RingFault::Sliver(..) => Problem::warning(subject, message, Some("it was left out")),
         RingFault::Polygon(PolygonFault::SelfCrossing(..)) => {
@@ -60,7 +56,7 @@ pub(super) fn bad_outline(room: usize, id: &str, fault: &RingFault) -> Problem {
 pub(super) fn hole(room: usize, id: &str, fault: &HoleFault) -> Problem {
     match fault {
         HoleFault::Ring(hole, fault) => {
-            let message = format!("hole {hole} of room \"{id}\": {}", ring_fault(fault));
+            let message = format!("hole {hole} of room \"{id}\": {fault}");
             let is_error = !matches!(fault, RingFault::Sliver(..));
             let hint = Some("it was left out".to_owned());
             Problem { subject: Subject::Hole(room, *hole), message, hint, is_error, is_impossible: false }
@@ -80,19 +76,6 @@ pub(super) fn hole(room: usize, id: &str, fault: &HoleFault) -> Problem {
             format!("holes leave nothing sound of room \"{id}\""),
             Some("they were left out"),
         ),
-    }
-}
-
-/// The fault of a ring.
-pub(super) fn ring_fault(fault: &RingFault) -> String {
-    match fault {
-        RingFault::Polygon(fault) => fault.to_string(),
-        RingFault::TooFar(corner, distance) => {
-            let (distance, most) = (distance / 1000.0, COORDINATE / 1000.0);
-            format!("corner {corner} is {distance:.0} km from the origin, {most} km are the most")
-        }
-        RingFault::TooManyCorners(count) => format!("outline has {count} corners"),
-        RingFault::Sliver(area, width) => format!("outline is a sliver of {area:.4} m², {width:.3} m wide"),
     }
 }
 

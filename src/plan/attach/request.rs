@@ -3,7 +3,7 @@
 use super::{Face, LEAST_PARTNER_SHARE, LEAST_SHARE, LEAST_WINDOW_PARTNER, NARROWEST_OPENING};
 use crate::geometry::{Point, Segment};
 use crate::plan::assemble::{Assembly, WallIndex};
-use crate::plan::limits::{COORDINATE, OPENING_WIDTH, ROOM_SIDE};
+use crate::plan::limits::{OPENING_WIDTH, ROOM_SIDE, is_place};
 use crate::plan::{OpeningDraft, OpeningKind, OpeningPlace};
 
 /// Without a direction of its own an opening takes that of a wall within this many metres.
@@ -95,7 +95,7 @@ pub(in crate::plan) fn request(
         OpeningPlace::Points { center, along } => (*center, *along),
         OpeningPlace::Edge { edge, at } => on_edge(opening, assembly, *edge, *at)?,
     };
-    if !center.is_finite() || center.abs().max_element() > COORDINATE {
+    if !is_place(center) {
         return Err((format!("opening \"{}\" has no finite place", opening.id), None));
     }
     let along = along.filter(|along| along.is_finite()).map(|along| along.normalize_or_zero());

@@ -1,5 +1,6 @@
 //! Turns drafts into a checked building, and gives each problem its file.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use super::names::{replace_unprintable, replaced};
@@ -71,7 +72,15 @@ pub(super) fn finish(
     let mut building = Building { name: draft.name, attribution: draft.attribution, levels: Vec::new() };
     let mut problems = Vec::new();
     let mut reports = Vec::new();
+    let mut ids = BTreeSet::new();
     for (place, level) in draft.levels.into_iter().enumerate() {
+        if !ids.insert(level.id.clone()) {
+            let problem = repeated_id();
+            let notes = vec![problem.message.clone()];
+            reports.push(LevelReport { notes, ..LevelReport::of_draft(&level) });
+            problems.push((level.id, vec![problem]));
+            continue;
+        }
         let checks = NativeChecks::of(&level);
         let mut report = LevelReport::of_draft(&level);
         let drawn = level.openings.iter().map(|opening| opening.id.clone()).collect();
@@ -100,6 +109,12 @@ pub(super) fn finish(
         faults.push(replaced(drafted.provenance.file(), &first, others));
     }
     Finished { building, faults, levels: reports }
+}
+
+/// The problem of a level whose id an earlier one has: both would be written into one file.
+fn repeated_id() -> Problem {
+    let message = "another level of the building has this id".to_owned();
+    Problem::impossible(Subject::Level, message, "the second was left out: ids are unique in a building")
 }
 
 /// A building as it comes back from its native plan, whose lengths are rounded. One that does not come back whole stays as it is.
@@ -187,5 +202,102 @@ impl Provenance {
                 faults
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Point, Polygon};
+    use crate::plan::{OpeningDraft, OpeningKind, OpeningPlace, RoomDraft};
+
+    /// A square of 4 m; `east` are the metres of its left edge.
+    fn room(id: &str, east: f64) -> RoomDraft {
+        let outline = Polygon::rectangle(Point::new(east, 0.0), Point::splat(4.0)).corners().to_vec();
+        RoomDraft { id: id.to_owned(), room_type: "office".to_owned(), outline, ..RoomDraft::default() }
+    }
+
+    /// A door in the middle of the wall between the rooms at 0 and at 4.1.
+    fn door(id: &str, rooms: &[&str]) -> OpeningDraft {
+        OpeningDraft {
+            id: id.to_owned(),
+            kind: OpeningKind::Door,
+            place: OpeningPlace::Points { center: Point::new(4.05, 2.0), along: None },
+            rooms: rooms.iter().map(|room| (*room).to_owned()).collect(),
+            width: 0.8,
+            bottom: 0.0,
+            top: 2.0,
+            leaf: crate::plan::LeafDraft::Automatic,
+        }
+    }
+
+    fn level(id: &str, rooms: Vec<RoomDraft>, openings: Vec<OpeningDraft>) -> LevelDraft {
+        LevelDraft { id: id.to_owned(), height: 3.0, rooms, openings, ..LevelDraft::default() }
+    }
+
+    /// The building of some levels, and the messages about it.
+    fn finished(levels: Vec<LevelDraft>) -> (Building, Vec<String>) {
+        let draft = BuildingDraft { levels, ..BuildingDraft::default() };
+        let (building, faults) = finish_draft("house", &draft, &RoomWords::default());
+        (building, faults.0.into_iter().map(|fault| fault.message).collect())
+    }
+
+    #[test]
+    fn of_equal_ids_the_first_stays() {
+        let rooms = vec![room("a", 0.0), room("a", 4.1), room("b", 4.1)];
+        let openings = vec![door("d", &["a", "b"]), door("d", &["a"])];
+        let levels = vec![level("0", rooms, openings), level("0", vec![room("c", 0.0)], Vec::new())];
+        let (building, messages) = finished(levels);
+        let expected = [
+            "level \"0\": room id \"a\" is used twice",
+            "level \"0\": opening id \"d\" is used twice",
+            "level \"0\": another level of the building has this id",
+        ];
+        assert_eq!(messages, expected);
+        let [level] = &building.levels[..] else { panic!("{} levels", building.levels.len()) };
+        let ids: Vec<&str> = level.rooms.iter().map(|room| room.id.as_str()).collect();
+        assert_eq!((ids, level.openings[0].sides.len()), (vec!["a", "b"], 2));
+    }
+
+    #[test]
+    fn an_opening_of_no_room_is_left_out() {
+        let flat = RoomDraft { outline: vec![Point::ZERO, Point::X], ..room("flat", 0.0) };
+        let rooms = vec![room("a", 0.0), room("b", 4.1), flat];
+        let openings =
+            vec![door("1", &["a", "kitchen"]), door("2", &["flat"]), door("3", &["b", "a", "flat"])];
+        let (building, messages) = finished(vec![level("0", rooms, openings)]);
+        let expected = [
+            "level \"0\": room \"flat\": outline has 2 distinct corners, three are needed",
+            "level \"0\": opening \"2\" names room \"flat\", which was left out",
+            "level \"0\": opening \"3\" names room \"flat\", which was left out",
+            "level \"0\": opening \"1\" names the unknown room \"kitchen\"",
+        ];
+        assert_eq!(messages, expected);
+        assert!(building.levels[0].openings.is_empty());
+    }
+
+    #[test]
+    fn levels_keep_their_order_and_those_without_a_room_stay() {
+        let upper = LevelDraft { elevation: 3.0, ..level("upper", vec![room("a", 0.0)], Vec::new()) };
+        let flat = RoomDraft { outline: vec![Point::ZERO], ..room("flat", 0.0) };
+        let levels =
+            vec![upper, level("roof", Vec::new(), Vec::new()), level("cellar", vec![flat], Vec::new())];
+        let (building, messages) = finished(levels);
+        let ids: Vec<&str> = building.levels.iter().map(|level| level.id.as_str()).collect();
+        assert_eq!(ids, ["upper", "roof"]);
+        assert_eq!(messages[1], "level \"cellar\": level \"cellar\" has no room that can be read");
+    }
+
+    #[test]
+    fn rooms_may_be_higher_than_their_level() {
+        let with = |height: Option<f64>| RoomDraft { height, ..room("a", 0.0) };
+        let height_of = |height: Option<f64>| {
+            let (building, messages) = finished(vec![level("0", vec![with(height)], Vec::new())]);
+            (building.levels.first().map(|level| level.rooms[0].height), messages.len())
+        };
+        assert_eq!(height_of(None), (Some(2.7), 0));
+        assert_eq!(height_of(Some(6.0)), (Some(6.0), 0));
+        assert_eq!(height_of(Some(0.5)), (Some(2.7), 1));
+        assert_eq!(height_of(Some(200.0)), (None, 2));
     }
 }

@@ -17,7 +17,7 @@ use super::sound::{Sound, sound, united};
 use super::tidy::tidied;
 use crate::document::{Fault, Faults};
 use crate::geometry::{Point, Region};
-use crate::plan::limits::COORDINATE;
+use crate::plan::limits::is_place;
 use crate::storey::{Footprint, FootprintPart, Site};
 
 /// The site of a drawing. The order of the buildings in the drawing does not show in it.
@@ -166,10 +166,9 @@ fn footprint(Whole { building, mut parts }: Whole, id: String) -> Footprint {
 }
 
 fn streets_of(drawing: &Drawing, frame: &Frame) -> Vec<Vec<Point>> {
-    let is_near = |point: &Point| point.is_finite() && point.abs().max_element() <= COORDINATE;
     let street = |line: &Vec<Point>| {
         let mut points: Vec<Point> =
-            line.iter().map(|place| frame.to_plane(*place)).filter(is_near).collect();
+            line.iter().map(|place| frame.to_plane(*place)).filter(|point| is_place(*point)).collect();
         points.dedup();
         points
     };

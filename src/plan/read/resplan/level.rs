@@ -11,7 +11,7 @@ use super::sheet::Sheet;
 use crate::document::counted;
 use crate::geometry::Point;
 use crate::plan::clean::{ring_surface, to_points};
-use crate::plan::limits::{COORDINATE, LEVEL_OPENINGS, LEVEL_ROOMS, OUTLINE_CORNERS};
+use crate::plan::limits::{LEVEL_OPENINGS, LEVEL_ROOMS, OUTLINE_CORNERS, is_place};
 use crate::plan::read::archilyse::areas::Outline;
 use crate::plan::read::foreign::{TypeOfWord, WIDEST_LEAF};
 use crate::plan::read::native::number_of_id;
@@ -151,8 +151,7 @@ fn rooms(class: &str, shapes: &Shapes, kind: &TypeOfWord, metres: f64) -> Vec<Ro
 
 /// An outline without the strips that hang on it; several where only strips joined them, none where it is one.
 fn without_strips(outline: Outline) -> Vec<Outline> {
-    let is_near = |corner: &Point| corner.is_finite() && corner.abs().max_element() <= COORDINATE;
-    if outline.outer.len() > OUTLINE_CORNERS || !outline.outer.iter().all(is_near) {
+    if outline.outer.len() > OUTLINE_CORNERS || !outline.outer.iter().copied().all(is_place) {
         // Reported by the checks that all formats share.
         return vec![outline];
     }

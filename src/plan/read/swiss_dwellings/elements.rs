@@ -5,8 +5,8 @@ use csv::ByteRecord;
 use super::columns::{Column, Columns};
 use super::notes::Notes;
 use super::records::line_of;
-use crate::geometry::{Bounds, Point};
-use crate::plan::limits::COORDINATE;
+use crate::geometry::Bounds;
+use crate::plan::limits::{COORDINATE, is_place};
 use crate::plan::read::archilyse::areas::{Outline, outlines};
 
 /// The format's word, and that of its furniture in `room_words.yaml`.
@@ -146,8 +146,7 @@ fn sound_outlines(text: &str) -> Result<Vec<Outline>, String> {
     }
     let corners =
         || found.iter().flat_map(|outline| outline.outer.iter().chain(outline.holes.iter().flatten()));
-    let is_near = |corner: &Point| corner.is_finite() && corner.abs().max_element() <= COORDINATE;
-    match corners().find(|corner| !is_near(corner)) {
+    match corners().find(|corner| !is_place(**corner)) {
         Some(corner) => Err(format!("corner ({}, {}) is more than {COORDINATE} m away", corner.x, corner.y)),
         None => Ok(found),
     }
