@@ -2,6 +2,34 @@
 //!
 //! Every reader fills a [`LevelDraft`]; `assemble` turns it into a [`super::Level`], so that attachment,
 //! wall thickness and corner cleaning are written once for all formats.
+//!
+//! A reader hands over:
+//! - lengths in metres, angles in radians; x east, y north, in one frame for all levels of a building. Heights
+//!   of openings, columns and ceilings are above the floor of their level. Where the frame is on the site is said beside the draft
+//!   (`placement` of the `DraftedBuilding`);
+//! - coordinates near the origin: beyond 100 km no part is read (`limits::COORDINATE`), and digits are lost long before;
+//! - room types that exist. Those of `RoomWords` do; any other word is not checked for foreign formats, and its room stays empty;
+//! - levels from the lowest up, without those that have no room.
+//!
+//! All else is checked when drafts are put together. What is wrong is reported by level and id, without a line; in files of foreign
+//! formats as a warning, unless no building can be so. It leaves out:
+//! - of levels with one id the later ones, and levels of which no drafted room can be read;
+//! - rooms without an id, and of rooms with one id the later ones; outlines of fewer than three corners, that cross themselves, or
+//!   are not finite, too far, too fine or slivers; rooms too large, too high or kilometres from the others; those behind the first
+//!   `limits::LEVEL_ROOMS`;
+//! - openings without an id, and of those with one id the later ones; those that name a room that the level lacks or that was left
+//!   out, or more than two; those too narrow, too wide or not upright, on no wall, or in the place of another; those behind the
+//!   first `limits::LEVEL_OPENINGS`;
+//! - columns with unsound outlines, without height, or in no room.
+//!
+//! It mends:
+//! - height, elevation and thicknesses of a level beyond their limits, and ceilings below 1 m: usual values are taken;
+//! - numbers of rooms that are used twice: the later room gets another;
+//! - closing points, repeated corners, spikes and corners on straight lines of outlines, in silence; unsound holes, which are
+//!   filled; rooms upon each other, as [`LevelDraft::rooms`] says;
+//! - windows along several walls, which become several; leaves into a room on neither side, whose side is chosen.
+//!
+//! Nothing checks `limits::BUILDING_LEVELS` and `limits::BUILDING_ROOMS`, which a file that repeats levels may exceed.
 
 use std::collections::BTreeSet;
 
@@ -16,20 +44,21 @@ pub struct BuildingDraft {
     pub name: Option<String>,
     /// The text by which the source of the plan asks to be named, if it does.
     pub attribution: Option<String>,
-    /// The storeys, lowest first as far as the plan says.
+    /// The storeys, lowest first as far as the plan says: nothing sorts them, and guesses take the neighbours in the list for the
+    /// storeys below and above. A building without any is left out, without a message; one that loses all is left out as well.
     pub levels: Vec<LevelDraft>,
 }
 
 /// One storey before checking. It has no outline of its own: a wall with no room within 0.6 m behind most of it is exterior.
 #[derive(Clone, Debug, Default)]
 pub struct LevelDraft {
-    /// Unique in the building.
+    /// Unique in the building: it names the file of the level. `UniqueIds` of `read/foreign.rs` makes such ids of any texts.
     pub id: String,
     /// A title for people; the id if empty.
     pub name: String,
-    /// Metres above the building's zero.
+    /// Metres above the building's zero. It is not compared with the heights of other levels: storeys may overlap or leave gaps.
     pub elevation: f64,
-    /// Metres from floor to floor.
+    /// Metres from floor to floor: the clear height of the rooms and the slab above them. 1 to 100 m.
     pub height: f64,
     /// Metres of walls to the open air.
     pub exterior_thickness: f64,
@@ -64,9 +93,10 @@ pub enum OutlineKind {
 /// One room before checking.
 #[derive(Clone, Debug, Default)]
 pub struct RoomDraft {
-    /// Unique in the level, without `/`; `slug` of `read/foreign.rs` makes such ids of any text.
+    /// Unique in the level, not empty, without `/`; `UniqueIds` of `read/foreign.rs` makes such ids of any texts.
     pub id: String,
-    /// Number for the seed; made from the order if absent.
+    /// Number for the seed, unique in the level; made from the order if absent, so that a room that is added changes those behind
+    /// it. `number_rooms` of `read/foreign.rs` makes it from the id.
     pub number: Option<u32>,
     /// A title for people.
     pub name: Option<String>,
@@ -86,7 +116,8 @@ pub struct RoomDraft {
     pub outline: Vec<Point>,
     /// Corners of each hole as found.
     pub holes: Vec<Vec<Point>>,
-    /// Metres to the ceiling; made from the level's height if absent.
+    /// Metres from floor to ceiling, the clear height; the level's height less a slab of 0.3 m if absent. It may exceed the level's
+    /// height, as that of halls does.
     pub height: Option<f64>,
     /// Tags by edge: edge `i` runs from corner `i` to corner `i + 1` of `outline` as found.
     pub edge_tags: Vec<(usize, String)>,
@@ -95,20 +126,21 @@ pub struct RoomDraft {
 /// One opening before checking.
 #[derive(Clone, Debug)]
 pub struct OpeningDraft {
-    /// Unique in the level.
+    /// Unique in the level, not empty, without `/`.
     pub id: String,
     /// The kind of closure: `Door`, `SlidingDoor`, `Passage`, `Window`, or `OpenBoundary` where there is no wall, whose width is cut
     /// to the edge that its rooms share.
     pub kind: OpeningKind,
     /// Where it is.
     pub place: OpeningPlace,
-    /// Ids of the rooms it joins, if the plan names them; else found by geometry.
+    /// Ids of the rooms it joins, as the draft has them, if the plan names them: none, one or two. Two must face each other at its
+    /// place, and it joins them; one must have a wall there, and what is behind is found by geometry; of none both sides are.
     pub rooms: Vec<String>,
     /// Metres along the wall.
     pub width: f64,
     /// Metres above the floor where it begins.
     pub bottom: f64,
-    /// Metres above the floor where it ends.
+    /// Metres above the floor where it ends; cut off at the lower ceiling of its rooms.
     pub top: f64,
     /// How its leaves turn; ignored for what has none.
     pub leaf: LeafDraft,
@@ -119,14 +151,14 @@ pub struct OpeningDraft {
 pub enum OpeningPlace {
     /// In the level's frame.
     Points {
-        /// Middle of the opening.
+        /// Middle of the opening, in the wall or on a face of it: 0.3 m inside a room and 0.6 m behind its wall's face at most.
         center: Point,
-        /// Direction along the wall, any length above zero; `None` takes that of the nearest wall.
+        /// Direction along the wall, any length above zero, up to 15° askew; `None` takes that of the nearest wall within 1 m.
         along: Option<Point>,
     },
     /// On an edge of the first room it names.
     Edge {
-        /// Edge of the outline as found.
+        /// Edge of the outline as found: from corner `edge` to the next.
         edge: usize,
         /// Metres from the edge's start to the middle of the opening.
         at: f64,

@@ -1,11 +1,26 @@
 //! The table of readers of foreign formats, and how to add one.
 //!
-//! 1. Write the reader: a file or folder here with a `pub(super) const FORMAT: ForeignFormat`. `example.rs` is a complete
-//!    one to copy, of a JSON format, with the calls that most readers need (there `FORMAT` is private, as no list names it); the
-//!    table below has what it does not show, and `reader.rs` says what formats of folders are asked. Set `is_settled: true`, as the
-//!    example does. Add its `mod` line to `mod.rs`, in the order of the alphabet; nothing else there concerns a reader, and it need not be read. Add its
-//!    `FORMAT` to the list below: the first that recognises a file reads it, and all are asked before native plans and projects, so
-//!    that a file may have their keys (`levels`, `project`). A new one goes before `indoor::sit::FORMAT`, for that and
+//! A reader of a format `my_format` is the files of this table. To write it, read `example.rs`, a complete one to copy, then
+//! `plan/draft.rs`, which has the types to fill and says what is checked later, and `foreign.rs`, which has the code that readers
+//! share. No other reader need be read but where the last table here names one.
+//!
+//! | file | its part | written by |
+//! |---|---|---|
+//! | `src/plan/read/my_format.rs`, or a folder | the reader, with its unit tests | step 1 |
+//! | `src/plan/read/mod.rs`, `readers.rs` | a `mod` line; `my_format::FORMAT` in the list below | step 1 |
+//! | `docs/commands.md` | a line of the table of formats | `UPDATE_GOLDENS=1 cargo test --lib the_page_about_commands` |
+//! | `docs/importing.md` | a section | step 2 |
+//! | `configs/room_words.yaml` | words, only of a format that has a list of them | step 3 |
+//! | `tests/cases/plan_import/my_case/` | a small plan of the format | step 4 |
+//! | `tests/cases/plan_import/my_case.txt` | what is read of it, to be looked at | `UPDATE_GOLDENS=1 cargo test --test plan import` |
+//!
+//! 1. Write the reader: a file or folder here with a `pub(super) const FORMAT: ForeignFormat`. The example reads a JSON format
+//!    of several levels, with ids of its own, openings that are placed by their middles and name their rooms, and outlines along
+//!    the middles of walls (there `FORMAT` is private, as no list names it); the last table has what it does not show, and
+//!    `reader.rs` says what formats of folders are asked. Set `is_settled: true`, as the example does. Add its `mod` line to
+//!    `mod.rs`, in the order of the alphabet; nothing else there concerns a reader, and it need not be read. Add its `FORMAT` to
+//!    the list below: the first that recognises a file reads it, and all are asked before native plans and projects, so that a
+//!    file may have their keys (`levels`, `project`). A new one goes before `indoor::sit::FORMAT`, for that and
 //!    `outlines::FORMAT` take maps of any origin. Recognition, `roomwright formats`, `import` and hints follow.
 //! 2. Renew the table in `docs/commands.md`: `UPDATE_GOLDENS=1 cargo test --lib the_page_about_commands`; no other golden names
 //!    the formats. Add a section "How to export from ..." to `docs/importing.md`: how to get a file, the commands, a table of what
@@ -45,8 +60,9 @@
 //!
 //!    ```text
 //!    cargo clippy --all-targets -- -D warnings
-//!    cargo test --lib plan::read
-//!    cargo test --test plan --test fuzz
+//!    cargo test --lib plan::read                           # the reader's own tests, the table of docs/commands.md, unread formats
+//!    cargo test --test plan --test fuzz                    # the golden of the case; the case damaged
+//!    cargo test --test command_line formats                # the answers of the command
 //!    python -m pytest tests/scripts/test_structure.py
 //!    cargo run -- formats
 //!    cargo run -- bake tests/cases/plan_import/<folder> --out out
@@ -54,7 +70,11 @@
 //!
 //! | for | use |
 //! |---|---|
-//! | the types to fill, and what each may leave open | `plan/draft.rs`: metres, x east, y north; `assemble` finds the rest |
+//! | the types to fill, what each may leave open, what is checked later | `plan/draft.rs`: its head is the contract |
+//! | ids that no two parts share | `UniqueIds` of `foreign.rs`: `of_name(name, otherwise)` makes `kitchen`, `kitchen_2` of names or of ids of the file; `numbered(id)` keeps the letters; `first_free([..])` takes the first of several. One for the levels of a building, one for the rooms of each level, and one for its openings if their ids are not counted |
+//! | openings that name rooms by ids of the file | a map from those to the ids of the drafts, as in the example; a name that is not in it is a fault with a line |
+//! | seeds of rooms | `number_rooms(&mut rooms)` of `foreign.rs`: a room that is added to the file changes no other |
+//! | an outline that is none, at its line | `clean_ring(&outline, &[])` of `plan/clean.rs`: its fault says why in words, and `fault.corner()` where; without a line `assemble` reports the same. `is_place(point)` of `plan/limits.rs` is false for what is not finite or too far |
 //! | the text of a file; a JSON or YAML document as a type | `Source::read(path)?`; `source.parse::<T>()?`, where `T` derives `Deserialize` and `JsonSchema`: keys that it does not name are passed over, what may be absent or `null` is an `Option`, and any other value of a wrong type refuses the file with its line and path |
 //! | a fault at a line and column | `source.fault_at(Some((line, column)), message)`, then `.with_hint(hint)`, `.as_warning()` |
 //! | a fault at a document path | `source.fault(&path, message, hint, severity)`: a slice of `PathStep`s such as `&["rooms".into(), 3.into()]`, the fact, `Some(String)` or `None`, and `FaultSeverity::Error` or `Warning`; `use crate::document::{FaultSeverity, PathStep}` |
@@ -71,10 +91,10 @@
 //! | first bytes, ids from names, words for rooms, missing files, doors too wide for a leaf | `foreign.rs`: `head`, `slug`, `TypeOfWord`, `unknown_words` (at a line or a document path), `missing_parts`, `WIDEST_LEAF` (metres; wider doors slide) |
 //! | the id of a building | `id_of_file(path, NAME)` of `foreign.rs`: its file's name without the ending, or `NAME` where that has no Latin letter or digit. Of several buildings in a file, `<that>_<own>` |
 //! | a room without a name | keep it: `of_name(None, ..)` of `TypedNames` is `TypeOfWord::unknown("")`. It is guessed by shape and neighbours, with a warning of the guess and none of a word |
-//! | plans that share edges of rooms and draw no walls | `outlines: OutlineKind::Center` in the `LevelDraft`. A door is a point on the shared edge and needs no direction; corners on a straight line are merged later |
+//! | plans that share edges of rooms and draw no walls | `outlines: OutlineKind::Center` in the `LevelDraft`, as in the example. A door is a point on the shared edge and needs no direction; corners on a straight line are merged later |
 //! | metres that a file does not say | yours to choose, as constants that say so. By custom doors are 2.0 m high, windows reach from 0.9 to 2.1 m, storeys of homes have 2.8 to 3.0 m, inner walls 0.1 m and outer ones 0.3 m; in public buildings doors are 2.1 m high, storeys 3.6 m, outer walls 0.4 m thick. A room's height may stay open |
-//! | several levels | a `LevelDraft` each; its `elevation` is what the file says, else yours to sum up from the heights below |
-//! | ids of levels | any text that is unique in the building; IMDF has `level_<ordinal>`, `level_-1` below ground |
+//! | several levels | a `LevelDraft` each, from the lowest up, as nothing sorts them; its `elevation` is what the file says, else yours to sum up from the heights below, as in the example |
+//! | clear heights | `height` of a `RoomDraft`; that of a `LevelDraft` is from floor to floor, 0.3 m more where only clear heights are known |
 //! | furniture that a file draws | `furniture` of the format gives `DrawnPiece`s; `edits/drawn.rs` keeps them by the words under `pieces` in `room_words.yaml` |
 //! | XML, ZIP archives | `sweet_home/xml.rs` and `container.rs` |
 //! | a fault of a file without a place | `Fault::of_file(path, message)` |
