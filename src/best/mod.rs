@@ -27,8 +27,10 @@ const PATIENCE: u32 = 3;
 /// long.
 const MOST_STEPS: u64 = 700_000;
 
-/// The same while the best room fails.
+/// The same while the best room fails, and while nothing but something small is missing in it. Of 2,224 rooms of homes (14 levels,
+/// seeds 3 and 4) as many pieces have no place with this as without, for 15 % fewer steps; with 100,000, seven pieces more.
 const MOST_STEPS_OF_FAILING: u64 = 1_600_000;
+const MOST_STEPS_OF_LACKING: u64 = 150_000;
 /// Steps of the solver ([`RoomSolver::steps`]) in the time of one of the layout.
 const SOLVER_STEPS_A_STEP: u64 = 40;
 
@@ -199,7 +201,13 @@ impl Judged {
     fn most_steps(&self) -> u64 {
         let (failed, ..) = self.flaws();
         // A room that fails may take longer than one that merely could be better.
-        if failed > 0 { MOST_STEPS_OF_FAILING } else { MOST_STEPS }
+        if failed > 0 {
+            MOST_STEPS_OF_FAILING
+        } else if self.lacks_pieces_only() {
+            MOST_STEPS_OF_LACKING
+        } else {
+            MOST_STEPS
+        }
     }
 
     /// Whether it fails because a required piece is missing.

@@ -5,11 +5,12 @@
 //! nothing: `best` furnishes the room again, `--effort` times at most, and keeps the best arrangement. To have pieces stand well
 //! from the start, give their class a relation (`docs/guide.md`). To add a finding:
 //!
-//! 1. Write its check. `crooked.rs` is a short one to copy, with tests in rooms that are furnished by hand.
+//! 1. Write its check. `crooked.rs` is a short one to copy, with tests in rooms that are furnished by hand; no other need be
+//!    read. A fault is of one object, or of one wall or opening; further subjects are what it is measured to.
 //! 2. Add its `mod` line and its row of the table below: meaning, name of the code, word in the output, severity (`Failed`,
 //!    or `Minor`, a warning, if the room is usable all the same; `Given` is worked out and stands in no row), quantities,
-//!    section of thresholds (`""` for none), check. The word is the name in small letters, and part of the output. Checks
-//!    that ask about the empty room share a budget in the order of the table. If no other arrangement of the same pieces can
+//!    section of thresholds (`""` for none), check. The word is the name in small letters, and part of the output. The row may stand
+//!    anywhere; checks that ask about the empty room share a budget in the order of the table. If no other arrangement of the same pieces can
 //!    be without the finding, name it in `Code::is_of_places`, so that no further ones are tried for its sake. A new
 //!    quantity is a line in each list of `quantity.rs`.
 //! 3. Add a limit of its own, if it has one: a line with the figure and its source or reason in `configs/audit.yaml`, and a
@@ -52,10 +53,10 @@
 //! |---|---|
 //! | room, level, furniture that found no place | `subject.at.room`, `subject.at.level`, `subject.furnished.removals` |
 //! | objects | `subject.bodies`, in the order of the placements: `class`, `placement`, `solids` in the level's frame, `bounds`, `low()` and `high()` (metres above the floor), `is_in(groups::SEAT)`, `is_standing(rules)` (its underside at the floor, also on a rug, and no rug itself), `front()` (unit vector), `corners()` (of its box: the first two at its front, the last two at its back), `strip(Side::Front, margin, depth)` (the floor before a side); `placement.position` is the middle of the box |
-//! | groups of classes | constants of `audit/groups.rs`: `groups::SEAT` (stools and benches too), `BED`, `SLEEPING` (beds and cots), `SCREEN` (televisions, no computers), `WORK_SURFACE` (desks), `SURFACE` (tables and desks), `MIRROR`, `BATHING`, `TOILET`, `FIXTURE` (of bathrooms), `COOKING`, `SMALL` (held in a hand), `LIGHT` (lamps, those of the ceiling too), `MOVABLE` (chairs), `PLANT` (pots, of which most stand on the floor and none hangs), `WINDOW_DRESSING`, `DISPLAY_SURFACE`, `KITCHEN_TOP`. Groups of the class files alone are asked for by their word, as in `body.is_in("soft_seat")` (armchairs, easy chairs and sofas; `computer_screen`; others: `grep -rhow "groups: .*" configs/classes`); what several checks ask for is a line `/// Meaning.` and `NAME: "word";` of the list in `groups.rs` |
+//! | groups of classes | constants of `audit/groups.rs`: `groups::SEAT` (stools and benches too), `BED`, `SLEEPING` (beds and cots), `SCREEN` (televisions, no computers), `WORK_SURFACE` (desks), `SURFACE` (tables and desks), `MIRROR`, `BATHING`, `TOILET`, `FIXTURE` (of bathrooms), `COOKING`, `SMALL` (held in a hand), `LIGHT` (lamps, those of the ceiling too), `MOVABLE` (chairs), `PLANT` (pots, of which most stand on the floor and none hangs), `WINDOW_DRESSING`, `DISPLAY_SURFACE`, `KITCHEN_TOP`. Groups of the class files alone are asked for by their word, as in `body.is_in("soft_seat")` (armchairs, easy chairs and sofas; `computer_screen`; others: `grep -rhow "groups: .*" configs/classes`); what several checks ask for is a line `/// Meaning.` and `NAME: "word";` of the list in `groups.rs`. A new group is also a word of the `groups` of its classes (`grep -n "^  bin:" configs/classes/*` finds a class) and a word of this row |
 //! | what belongs to what | `placement.parent` (`Parent::Object(index)` for what stands on or at another object; also `Floor`, `Wall(index)`, ...) and `placement.side`, the side of the parent; `subject.children(index)` of an object, directly; `subject.ancestors(index)`: the object, its parent, and so on; `subject.table_of(index)`: the table or desk that a seat stands at |
 //! | bodies near each other | `subject.near_boxes().touching(&bounds)`; for places `let lamps = NearPoints::new(indices.map(|index| (index, place(index))))` (`near.rs`), then `lamps.distance(here, place)`, metres to the nearest, if there is one, or `lamps.nearest(here)`, indices of the nearest 128. Not each body with each other: `audit/tests.rs` measures that the time of a verdict grows as the pieces do. Each body with each wall or opening is fine |
-//! | distances, in metres | `Segment::new(a, b).distance(point)`, `distance_to_convex(corners, point)`, `distance_of_convex(corners, others)` of `geometry`, 0 inside; rings have three corners or more |
+//! | distances, in metres | `Segment::new(a, b).distance(point)`, `distance_to_convex(corners, point)`, `distance_of_convex(corners, others)` of `geometry`, 0 inside; rings have three corners or more. The outline of an object in the plan is the `footprint()`, such a ring, of each of its `solids`; `corners()` is that of its box |
 //! | style, limits | `subject.style()`, `subject.rules().alignment.angle`: metres, radians, shares |
 //! | the space before sides, doors and windows, and what is in it | `evidence.zones`, `evidence.hits` |
 //! | where people get to | `evidence.floor`, which may be none: `floor.walk(diameter).reaches(door, goal)` |

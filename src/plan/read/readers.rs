@@ -1,8 +1,9 @@
 //! The table of readers of foreign formats, and how to add one.
 //!
 //! A reader of a format `my_format` is the files of this table. To write it, read `example.rs`, a complete one to copy, then
-//! `plan/draft.rs`, which has the types to fill and says what is checked later, and `foreign.rs`, which has the code that readers
-//! share. No other reader need be read but where the last table here names one.
+//! `plan/draft.rs`, which has the types to fill and says what is checked later. The code that readers share (`foreign.rs`, `told.rs`,
+//! `sample.rs`) need not be read: the example and the last table here say how it is used. No other reader need be read but where that
+//! table names one.
 //!
 //! | file | its part | written by |
 //! |---|---|---|
@@ -17,8 +18,9 @@
 //! 1. Write the reader: a file or folder here with a `pub(super) const FORMAT: ForeignFormat`. The example reads a JSON format
 //!    of several levels, with ids of its own, openings that are placed by their middles and name their rooms, and outlines along
 //!    the middles of walls (there `FORMAT` is private, as no list names it); the last table has what it does not show, and
-//!    `reader.rs` says what formats of folders are asked. Set `is_settled: true`, as the example does. Add its `mod` line to
-//!    `mod.rs`, in the order of the alphabet; nothing else there concerns a reader, and it need not be read. Add its `FORMAT` to
+//!    `reader.rs` says what formats of folders are asked. Set `is_settled: true`, as the example does. Add its line
+//!    `mod my_format;` to the first lines of `mod.rs`, among which `cargo fmt` sorts it; nothing else there concerns a reader, and it
+//!    need not be read. In a folder, `FORMAT` and `read` stand in its `mod.rs`, of which its other files take nothing. Add its `FORMAT` to
 //!    the list below: the first that recognises a file reads it, and all are asked before native plans and projects, so that a
 //!    file may have their keys (`levels`, `project`). A new one goes before `indoor::sit::FORMAT`, for that and
 //!    `outlines::FORMAT` take maps of any origin. Recognition, `roomwright formats`, `import` and hints follow.
@@ -54,7 +56,7 @@
 //!    that none recognises is refused by its line. The test `a_format_is_read_or_not_read` fails if a word of an unread format's
 //!    name is the name of a format that is read. Files that are read now go from the list of refused ones in
 //!    `tests/plan/unread.rs`.
-//! 6. It is done if these pass, and the last one furnishes the case (`source scripts/set_up.sh && set_up_python` sets up pytest).
+//! 6. It is done if these pass, and the last one furnishes the case (`source scripts/set_up.sh && set_up_python` sets up pytest). Functions take five arguments at most, with `self`.
 //!    `test_structure.py` fails if a file here uses itself through
 //!    others, such as a file of faults that takes a type from the file that reports them:
 //!
@@ -63,7 +65,7 @@
 //!    cargo test --lib plan::read                           # the reader's own tests, the table of docs/commands.md, unread formats
 //!    cargo test --test plan --test fuzz                    # the golden of the case; the case damaged
 //!    cargo test --test command_line formats                # the answers of the command
-//!    python -m pytest tests/scripts/test_structure.py
+//!    .venv/bin/python -m pytest tests/scripts/test_structure.py
 //!    cargo run -- formats
 //!    cargo run -- bake tests/cases/plan_import/<folder> --out out
 //!    ```
@@ -72,10 +74,11 @@
 //! |---|---|
 //! | the types to fill, what each may leave open, what is checked later | `plan/draft.rs`: its head is the contract |
 //! | ids that no two parts share | `UniqueIds` of `foreign.rs`: `of_name(name, otherwise)` makes `kitchen`, `kitchen_2` of names or of ids of the file; `numbered(id)` keeps the letters; `first_free([..])` takes the first of several. One for the levels of a building, one for the rooms of each level, and one for its openings if their ids are not counted |
+//! | the type of a room with a name and a category | `names.of_names(&[name, category], place)` of [`TypedNames`](super::room_names::TypedNames): the most telling of the known ones decides |
 //! | openings that name rooms by ids of the file | a map from those to the ids of the drafts, as in the example; a name that is not in it is a fault with a line |
 //! | seeds of rooms | `number_rooms(&mut rooms)` of `foreign.rs`: a room that is added to the file changes no other |
 //! | an outline that is none, at its line | `clean_ring(&outline, &[])` of `plan/clean.rs`: its fault says why in words, and `fault.corner()` where; without a line `assemble` reports the same. `is_place(point)` of `plan/limits.rs` is false for what is not finite or too far |
-//! | the text of a file; a JSON or YAML document as a type | `Source::read(path)?`; `source.parse::<T>()?`, where `T` derives `Deserialize` and `JsonSchema`: keys that it does not name are passed over, what may be absent or `null` is an `Option`, and any other value of a wrong type refuses the file with its line and path |
+//! | the text of a file; a JSON or YAML document as a type | `Source::read(path)?`; `source.parse::<T>()?`, where `T` derives `Deserialize` and `JsonSchema`: keys that it does not name are passed over, what may be absent or `null` is an `Option`, and any other value of a wrong type refuses the file with its line and path. A value of two shapes is an enum with `#[serde(untagged)]` |
 //! | a fault at a line and column | `source.fault_at(Some((line, column)), message)`, then `.with_hint(hint)`, `.as_warning()` |
 //! | a fault at a document path | `source.fault(&path, message, hint, severity)`: a slice of `PathStep`s such as `&["rooms".into(), 3.into()]`, the fact, `Some(String)` or `None`, and `FaultSeverity::Error` or `Warning`; `use crate::document::{FaultSeverity, PathStep}` |
 //! | many faults of one file | of a document `DocumentFaults` of `told.rs`, as in the example: `error(&path, message, hint)` and `warn` keep the first 200 and count the others, `warn_always` is for what is said once of many parts, with a count. Of other texts `ToldFaults`: `push(\|\| fault)`, `push_always(fault)`, `finish(\|message\| fault)` |
@@ -94,7 +97,7 @@
 //! | plans that share edges of rooms and draw no walls | `outlines: OutlineKind::Center` in the `LevelDraft`, as in the example. A door is a point on the shared edge and needs no direction; corners on a straight line are merged later |
 //! | metres that a file does not say | yours to choose, as constants that say so. By custom doors are 2.0 m high, windows reach from 0.9 to 2.1 m, storeys of homes have 2.8 to 3.0 m, inner walls 0.1 m and outer ones 0.3 m; in public buildings doors are 2.1 m high, storeys 3.6 m, outer walls 0.4 m thick. A room's height may stay open |
 //! | several levels | a `LevelDraft` each, from the lowest up, as nothing sorts them; its `elevation` is what the file says, else yours to sum up from the heights below, as in the example |
-//! | clear heights | `height` of a `RoomDraft`; that of a `LevelDraft` is from floor to floor, 0.3 m more where only clear heights are known |
+//! | clear heights | `height` of a `RoomDraft`; that of a `LevelDraft` is from floor to floor, 0.3 m more where only clear heights are known. Where storeys stand on each other's ceilings, leave the height of rooms open: the slab is taken from it |
 //! | furniture that a file draws | `furniture` of the format gives `DrawnPiece`s; `edits/drawn.rs` keeps them by the words under `pieces` in `room_words.yaml` |
 //! | XML, ZIP archives | `sweet_home/xml.rs` and `container.rs` |
 //! | a fault of a file without a place | `Fault::of_file(path, message)` |

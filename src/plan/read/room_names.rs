@@ -24,8 +24,17 @@ impl<'a, P> TypedNames<'a, P> {
 
     /// The type of a room by its name; a room without one is guessed, and no unknown word is reported.
     pub(super) fn of_name(&mut self, name: Option<&str>, place: impl FnOnce() -> P) -> TypeOfWord {
-        let words = plain_words(name.unwrap_or_default());
-        self.of_texts(&[&words], &words, place)
+        self.of_names(&[name], place)
+    }
+
+    /// The same of a room with several names, such as its own and that of its category: the most telling one that is known decides,
+    /// of equals the first. If none is known, the first that says anything is reported.
+    pub(super) fn of_names(&mut self, names: &[Option<&str>], place: impl FnOnce() -> P) -> TypeOfWord {
+        let texts: Vec<Vec<String>> =
+            names.iter().map(|name| plain_words(name.unwrap_or_default())).collect();
+        let texts: Vec<&[String]> = texts.iter().map(Vec::as_slice).collect();
+        let said = texts.iter().copied().find(|text| !text.is_empty()).unwrap_or_default();
+        self.of_texts(&texts, said, place)
     }
 
     /// The type of a room by the words of several texts, as [`most_telling`]; if none is known, `said` is reported.
@@ -110,6 +119,20 @@ mod tests {
         assert_eq!(known("Kitchen space"), Some("kitchen"), "a space is no more than a room");
         assert_eq!(known("Space 12"), Some("generic"));
         assert_eq!(known("Planetarium"), None);
+    }
+
+    #[test]
+    fn of_several_names_the_most_telling_known_one_decides() {
+        let table = load_catalog(&[]).expect("the built-in catalogue is sound").value.room_words;
+        let mut typed = TypedNames::new(&table, "ifc");
+        let mut kind = |names: &[Option<&str>]| typed.of_names(names, || ()).room_type;
+        assert_eq!(kind(&[Some("Wing A"), Some("Kitchen")]), "kitchen");
+        assert_eq!(kind(&[Some("Kitchen"), Some("Space 3")]), "kitchen");
+        assert_eq!(kind(&[None, Some("Kitchen")]), "kitchen");
+        let mut unknown = TypedNames::new(&table, "ifc");
+        unknown.of_names(&[None, Some("Zorp 1"), Some("Quux")], || ());
+        let told: Vec<String> = unknown.unknown().map(|(_, fact, _)| fact).collect();
+        assert!(told.len() == 1 && told[0].contains("zorp"), "{told:?}");
     }
 
     #[test]
