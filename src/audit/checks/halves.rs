@@ -20,16 +20,20 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     let standing: Vec<Standing<'_>> = bodies.filter(|(_, body)| body.is_standing(rules)).collect();
     let middle = middle_of(subject);
     let along = main_direction(subject);
-    let worst = [along, along.perp(), -along, -along.perp()]
+    let mut crowds: Vec<(f64, usize, Line)> = [along, along.perp(), -along, -along.perp()]
         .into_iter()
         .filter_map(|direction| {
             let line = Line { point: middle, direction };
             let (share, largest) = crowd(subject, &standing, line)?;
-            has_room_beside(subject, &subject.bodies[largest], line, ask).then_some((share, largest))
+            Some((share, largest, line))
         })
-        // The greatest share; of equals the first direction.
-        .reduce(|a, b| if b.0 > a.0 { b } else { a });
-    let fault = |(share, largest): (f64, usize)| {
+        .collect();
+    // The greatest share first, for the question about room beside it is the dearest of all; stable: of equals the first direction.
+    crowds.sort_by(|(a, ..), (b, ..)| b.total_cmp(a));
+    let worst = crowds
+        .into_iter()
+        .find(|&(_, largest, line)| has_room_beside(subject, &subject.bodies[largest], line, ask));
+    let fault = |(share, largest, _): (f64, usize, Line)| {
         Fault::new(Quantity::Share, vec![subject.object(largest)], share, rules.balance.share)
     };
     worst.map(fault).into_iter().collect()
