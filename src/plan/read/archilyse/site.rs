@@ -14,7 +14,7 @@ use super::single::pixel_size;
 use super::tables::Table;
 use super::{NEEDED, PARTS, SITE_FILE};
 use crate::document::{Fault, FaultSeverity, Faults, PathStep};
-use crate::plan::read::foreign::{both, missing_parts};
+use crate::plan::read::foreign::{UniqueIds, both, missing_parts};
 use crate::plan::read::reader::{DraftedBuilding, ReadBuildings, ReadResult};
 use crate::plan::{BuildingDraft, LevelDraft, RoomWords};
 
@@ -99,7 +99,10 @@ pub(super) fn read(folder: &Path, words: &RoomWords) -> ReadResult {
         // The table of floors is in no order.
         floors.sort_by_key(|(number, _)| *number);
         let id = if is_single { name.clone() } else { format!("{name}_{building}") };
-        let levels = floors.into_iter().map(|(_, level)| level).collect();
+        let mut ids = UniqueIds::default();
+        // A building may have two drawings of one number, such as those of two stairwells.
+        let unique = |(_, level): (i32, LevelDraft)| LevelDraft { id: ids.numbered(&level.id), ..level };
+        let levels = floors.into_iter().map(unique).collect();
         let draft =
             BuildingDraft { name: site.titles.get(&building).cloned(), levels, ..BuildingDraft::default() };
         DraftedBuilding { id, draft, ..DraftedBuilding::default() }

@@ -139,6 +139,21 @@ fn a_site_is_one_building_with_its_floors_in_order() {
 
 #[test]
 #[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
+fn two_floors_of_one_number_have_ids_of_their_own() {
+    let Some(data) = folder("archilyse") else { return };
+    let site = tempfile::tempdir().unwrap();
+    for file in std::fs::read_dir(data.join("site_1440")).unwrap().map(Result::unwrap) {
+        let text = std::fs::read_to_string(file.path()).unwrap();
+        let text = text.replacen("\"floor_number\": 1,", "\"floor_number\": 0,", 1);
+        std::fs::write(site.path().join(file.file_name()), text).unwrap();
+    }
+    let buildings = read(site.path(), &words()).unwrap().buildings;
+    let ids: Vec<&str> = buildings[0].draft.levels.iter().map(|level| level.id.as_str()).collect();
+    assert_eq!(ids, ["floor_0", "floor_0_2", "floor_2", "floor_3", "floor_4", "floor_5"]);
+}
+
+#[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
 fn every_shared_floor_assembles_without_errors() {
     let Some(data) = folder("archilyse") else { return };
     let levels = levels(&data);
