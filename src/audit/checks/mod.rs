@@ -7,12 +7,12 @@
 //!
 //! 1. Write its check. `crooked.rs` is a short one to copy, with tests in rooms that are furnished by hand; no other need be
 //!    read. A fault is of one object, or of one wall or opening; further subjects are what it is measured to.
-//! 2. Add its `mod` line and its row of the table below: meaning, name of the code, word in the output, severity (`Failed`,
-//!    or `Minor`, a warning, if the room is usable all the same; `Given` is worked out and stands in no row), quantities,
-//!    section of thresholds (`""` for none), check. The word is the name in small letters, and part of the output. The row may stand
-//!    anywhere; checks that ask about the empty room share a budget in the order of the table. If no other arrangement of the same pieces can
-//!    be without the finding, name it in `Code::is_of_places`, so that no further ones are tried for its sake. A new
-//!    quantity is a line in each list of `quantity.rs`.
+//! 2. Add its `mod` line and its row of the table below: meaning, name of the code, word in the output, severity (`Failed`, or
+//!    `Minor`, a warning, if the room is usable all the same; `Given` is worked out and stands in no row), quantities, section
+//!    of thresholds (`""` for none), check. The word is the name in small letters, and part of the output. The row may stand
+//!    anywhere; checks that ask about the empty room share a budget in the order of the table. If no other arrangement of the
+//!    same pieces can be without the finding, name it in `Code::is_of_places`, so that no further ones are tried for its sake.
+//!    A new quantity is a line in each list of `quantity.rs`.
 //! 3. Add a limit of its own, if it has one: a line with the figure and its source or reason in `configs/audit.yaml`, and a
 //!    line with its unit (`Metres`, `Area`, `Degrees`, `Share`, `Factor`) in the list `thresholds!` of
 //!    `src/catalog/audit.rs`. A limit may join the section that fits: layout reads the limits that it names, and no
@@ -29,12 +29,13 @@
 //!        desk: 1.5      # the arm of a desk lamp, and as much again
 //!    ```
 //! 4. Renew `docs/audit.md`, `docs/guide.md` and the schemas: `UPDATE_GOLDENS=1 cargo test --lib -- the_page_about_the_audit
-//!    published_schemas the_guide_lists_the_groups`. Rooms that have the new finding are furnished again for its sake, so that pinned
-//!    levels and drawings of the catalogue may change: `cargo test --test command_line -- pinned handbook` says so, and renews them
-//!    with `UPDATE_GOLDENS=1`. Then `cargo test --lib -- audit`, `cargo fmt` and `cargo clippy --all-targets -- -D warnings`. A
-//!    finding needs no more; all tests (`bash scripts/test.sh`) take half an hour. Figures and pictures of other pages are renewed
-//!    for a version. Nothing else lists the codes: the page of `view` is sent their meanings (`src/view/site.rs`), and `scripts/judge.py` has measures of
-//!    its own. Until a version is released, CHANGELOG.md stays as it is.
+//!    published_schemas the_guide_lists_the_groups`. Rooms that have the new finding are furnished again for its sake, so that
+//!    pinned levels and drawings of the catalogue may change: `cargo test --test command_line -- pinned handbook` says so, and
+//!    renews them with `UPDATE_GOLDENS=1`. Then `cargo test --lib -- audit`, `cargo fmt` and
+//!    `cargo clippy --all-targets -- -D warnings`. A finding needs no more; all tests (`bash scripts/test.sh`) take half an hour.
+//!    Figures and pictures of other pages are renewed for a version. Nothing else lists the codes: the page of `view` is sent
+//!    their meanings (`src/view/site.rs`), and `scripts/judge.py` has measures of its own. Until a version is released,
+//!    CHANGELOG.md stays as it is.
 //!
 //! | quantity (`quantity.rs`) | unit of the figures | is |
 //! |---|---|---|
