@@ -237,8 +237,8 @@ impl Judged {
         }
     }
 
-    /// What alternatives are compared by first: findings that fail the room, then the minor ones, then required pieces that are
-    /// missing, which is no finding where the plan makes it so, then all that are missing or for which others stand in, with poor
+    /// What alternatives are compared by first: findings that fail the room, then the minor ones, then those that the plan is said to
+    /// make unavoidable, with required pieces that are missing, then all that are missing or for which others stand in, with poor
     /// places. A television that a reading corner stands in for, the third of
     /// its list, is as bad as three small things that are missing.
     fn flaws(&self) -> (usize, usize, usize, usize) {
@@ -248,7 +248,8 @@ impl Judged {
         let missing = self.furnished.removals.len() + self.stand_ins.steps_down as usize;
         let PoorPlaces { at_swings, open_sides, rests_of_niches } = self.poor_places;
         let poor = AT_SWING * at_swings + OPEN_SIDES * open_sides + REST_OF_NICHE * rests_of_niches;
-        (count(Severity::Failed), count(Severity::Minor), self.required_missing(), missing + poor)
+        let given = count(Severity::Given) + self.required_missing();
+        (count(Severity::Failed), count(Severity::Minor), given, missing + poor)
     }
 }
 
@@ -382,6 +383,17 @@ mod tests {
         let furnish = |_: &Alternative| rooms.next().unwrap();
         let best = best_of(2, furnish, |_| Verdict::default(), |_| Vec::new(), || 0);
         assert_eq!(best.alternative.number, 0);
+    }
+
+    #[test]
+    fn findings_of_the_plan_count_more_than_poor_places() {
+        let poor_places = PoorPlaces { open_sides: 1, ..PoorPlaces::default() };
+        let mut rooms = [poor_places, PoorPlaces::default()].into_iter();
+        let furnish = |_: &Alternative| Counted { poor_places: rooms.next().unwrap(), ..counted(nothing()) };
+        let given = Finding { severity: Severity::Given, ..found(Code::TightUse, &[]) };
+        let mut findings = [Vec::new(), vec![given]].into_iter();
+        let judge = |_: &Furnished| Verdict { findings: findings.next().unwrap(), ..Verdict::default() };
+        assert_eq!(best_of(2, furnish, judge, |_| Vec::new(), || 0).alternative.number, 0);
     }
 
     #[test]
