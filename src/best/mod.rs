@@ -77,9 +77,9 @@ pub fn furnish_best(at: RoomRef<'_>, catalog: &Catalog, options: &FurnishOptions
     )
 }
 
-/// The loop of [`furnish_best`], for callers that measure its parts: the first alternative without a finding
-/// and with all that was asked for, else the best of `effort`; of equals the earlier one. A room without a finding in
-/// which a piece is missing is not tried so often, for it may have no place. If the best misses a required piece and the
+/// The loop of [`furnish_best`], for callers that measure its parts: the first alternative without a finding,
+/// with all that was asked for and no [`PoorPlaces`], else the best of `effort`; of equals the earlier one. A room without
+/// a finding in which a piece is missing is not tried so often, for it may have no place. If the best misses a required piece and the
 /// solver found a place for it, a few more follow that try this place first; if it still misses one, a last one in which
 /// others may stand in for it. `solver_steps` says what the
 /// solver spent on the room so far, as [`RoomSolver::steps`].
@@ -171,7 +171,7 @@ fn with_substitutes<F: FnMut(&Alternative) -> Counted, J: FnMut(&Furnished) -> V
     let number = effort.saturating_add(SUGGESTED_ALTERNATIVES);
     let other = maker.make(Alternative { takes_substitutes: true, ..Alternative::numbered(number) });
     let lack = |judged: &Judged| {
-        let (failed, minor, ..) = judged.flaws();
+        let Flaws { failed, minor, .. } = judged.flaws();
         // Before the minor findings: a stand-in with a tight side is better than nothing.
         (failed, judged.required_missing(), minor)
     };
@@ -186,7 +186,7 @@ impl Judged {
 
     /// Whether another alternative cannot be better.
     fn is_flawless(&self) -> bool {
-        self.flaws() == (0, 0, 0, 0)
+        self.flaws() == Flaws::default()
     }
 
     /// Whether what stands there stands well, though something small may be missing.
@@ -204,9 +204,8 @@ impl Judged {
 
     /// Steps after which no further alternative begins.
     fn most_steps(&self) -> u64 {
-        let (failed, ..) = self.flaws();
         // A room that fails may take longer than one that merely could be better.
-        if failed > 0 {
+        if self.flaws().failed > 0 {
             MOST_STEPS_OF_FAILING
         } else if self.lacks_small_things_only() {
             MOST_STEPS_OF_LACKING
@@ -237,20 +236,35 @@ impl Judged {
         }
     }
 
-    /// What alternatives are compared by first: findings that fail the room, then the minor ones, then those that the plan is said to
-    /// make unavoidable, with required pieces that are missing, then all that are missing or for which others stand in, with poor
-    /// places. A television that a reading corner stands in for, the third of
-    /// its list, is as bad as three small things that are missing.
-    fn flaws(&self) -> (usize, usize, usize, usize) {
+    /// What alternatives are compared by first. A television that a reading corner stands in for, the third of its list, is as bad
+    /// as three small things that are missing.
+    fn flaws(&self) -> Flaws {
         let count = |severity: Severity| {
             self.verdict.findings.iter().filter(|finding| finding.severity == severity).count()
         };
         let missing = self.furnished.removals.len() + self.stand_ins.steps_down as usize;
         let PoorPlaces { at_swings, open_sides, rests_of_niches } = self.poor_places;
         let poor = AT_SWING * at_swings + OPEN_SIDES * open_sides + REST_OF_NICHE * rests_of_niches;
-        let given = count(Severity::Given) + self.required_missing();
-        (count(Severity::Failed), count(Severity::Minor), given, missing + poor)
+        Flaws {
+            failed: count(Severity::Failed),
+            minor: count(Severity::Minor),
+            given: count(Severity::Given) + self.required_missing(),
+            lesser: missing + poor,
+        }
     }
+}
+
+/// What is wrong with an alternative, the worst first: they are compared in this order.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+struct Flaws {
+    /// Findings that fail the room.
+    failed: usize,
+    /// Minor findings.
+    minor: usize,
+    /// Findings that the plan is said to make unavoidable, and required pieces that are missing.
+    given: usize,
+    /// Pieces that are missing or for which others stand in, and poor places.
+    lesser: usize,
 }
 
 #[cfg(test)]

@@ -117,7 +117,7 @@ impl<'a> RoomLayout<'a> {
                 Counted { furnished, steps, stand_ins, poor_places }
             }
             Err(furnished) => {
-                let (stand_ins, poor_places) = Default::default();
+                let (stand_ins, poor_places) = (StandIns::default(), PoorPlaces::default());
                 Counted { furnished: furnished.clone(), steps: 0, stand_ins, poor_places }
             }
         }
