@@ -9,7 +9,7 @@ use core::cmp::Ordering;
 use crate::audit::{Code, Finding, Severity, Verdict};
 use crate::catalog::Catalog;
 use crate::layout::{
-    Alternative, Counted, FurnishOptions, Furnished, PoorPlaces, RoomLayout, StandIns, Suggestion,
+    Alternative, Counted, FurnishOptions, Furnished, PoorPlaces, RoomLayout, Shortcomings, Suggestion,
 };
 use crate::plan::RoomRef;
 use crate::solve::RoomSolver;
@@ -20,7 +20,7 @@ pub const DEFAULT_EFFORT: u32 = 16;
 /// How many alternatives in a row may bring nothing better while the best room has no finding that depends on where its pieces
 /// stand ([`Code::is_of_places`]): it may have no place for more. Larger: more time for such rooms, long corridors above
 /// all, for a few pieces more.
-const PATIENCE: u32 = 3;
+const PATIENCE: u32 = 4;
 
 /// Steps of the layout ([`Counted`]) and of the solver after which no further alternative begins. Of 10,454
 /// random rooms, 91.2 % have no finding with so many, and 91.5 % without a limit, where the slowest takes fifty times as
@@ -53,10 +53,8 @@ pub struct Judged {
     pub verdict: Verdict,
     /// Which alternative it is.
     pub alternative: Alternative,
-    /// The pieces that replace others.
-    pub stand_ins: StandIns,
-    /// The required pieces that would rather stand elsewhere, of which the audit has no finding.
-    pub poor_places: PoorPlaces,
+    /// What it lacks, beside the removals and what the audit has findings of.
+    pub shortcomings: Shortcomings,
 }
 
 /// Furnishes one room up to `effort` times (at least once) and keeps the best.
@@ -106,10 +104,34 @@ struct Maker<F, J> {
 
 impl<F: FnMut(&Alternative) -> Counted, J: FnMut(&Furnished) -> Verdict> Maker<F, J> {
     fn make(&mut self, alternative: Alternative) -> Judged {
-        let Counted { furnished, steps, stand_ins, poor_places } = (self.furnish)(&alternative);
-        self.steps += steps;
+        let made = self.furnish(&alternative);
+        self.judge(made, alternative)
+    }
+
+    /// An alternative if it is better than another; no more work is spent on one that cannot be.
+    fn make_better(&mut self, than: &Judged, alternative: Alternative) -> Option<Judged> {
+        let Flaws { failed, minor, given, lesser } = than.flaws();
+        let has_no_finding = failed + minor + given == 0;
+        let gives_up_at = has_no_finding.then(|| u32::try_from(lesser).unwrap_or(u32::MAX));
+        let alternative = Alternative { gives_up_at, ..alternative };
+        let made = self.furnish(&alternative);
+        let is_worse = has_no_finding && lesser_flaws(&made.furnished, &made.shortcomings) > lesser;
+        if made.is_given_up || is_worse {
+            return None;
+        }
+        Some(self.judge(made, alternative)).filter(|next| next.is_better_than(than))
+    }
+
+    fn furnish(&mut self, alternative: &Alternative) -> Counted {
+        let made = (self.furnish)(alternative);
+        self.steps += made.steps;
+        made
+    }
+
+    fn judge(&mut self, made: Counted, alternative: Alternative) -> Judged {
+        let Counted { furnished, shortcomings, .. } = made;
         let verdict = (self.judge)(&furnished);
-        Judged { furnished, verdict, alternative, stand_ins, poor_places }
+        Judged { furnished, verdict, alternative, shortcomings }
     }
 }
 
@@ -126,11 +148,9 @@ fn best_numbered<F: FnMut(&Alternative) -> Counted, J: FnMut(&Furnished) -> Verd
         if is_enough || maker.steps + solver_steps() / SOLVER_STEPS_A_STEP >= best.most_steps() {
             break;
         }
-        let next = maker.make(Alternative::numbered(number));
-        if next.is_better_than(&best) {
-            (best, in_vain) = (next, 0);
-        } else {
-            in_vain += 1;
+        match maker.make_better(&best, Alternative::numbered(number)) {
+            Some(next) => (best, in_vain) = (next, 0),
+            None => in_vain += 1,
         }
     }
     best
@@ -153,7 +173,8 @@ fn with_suggested_places<F: FnMut(&Alternative) -> Counted, J: FnMut(&Furnished)
         if suggestions.is_empty() {
             break;
         }
-        best = best.or_better(maker.make(Alternative { suggestions, ..Alternative::numbered(number) }));
+        let alternative = Alternative { suggestions, ..Alternative::numbered(number) };
+        best = maker.make_better(&best, alternative).unwrap_or(best);
     }
     best
 }
@@ -165,7 +186,7 @@ fn with_substitutes<F: FnMut(&Alternative) -> Counted, J: FnMut(&Furnished) -> V
     effort: u32,
     maker: &mut Maker<F, J>,
 ) -> Judged {
-    if best.required_missing() == 0 || !best.stand_ins.are_left {
+    if best.required_missing() == 0 || !best.shortcomings.stand_ins.are_left {
         return best;
     }
     let number = effort.saturating_add(SUGGESTED_ALTERNATIVES);
@@ -192,14 +213,17 @@ impl Judged {
     /// Whether what stands there stands well, though something small may be missing.
     fn lacks_pieces_only(&self) -> bool {
         let is_given = |finding: &Finding| finding.severity == Severity::Given;
-        let is_well = self.poor_places.at_swings == 0 && self.stand_ins.spent_lists == 0;
+        let is_well =
+            self.shortcomings.poor_places.at_swings == 0 && self.shortcomings.stand_ins.spent_lists == 0;
         is_well
             && self.verdict.findings.iter().all(|finding| is_given(finding) || !finding.code.is_of_places())
     }
 
     /// Whether no more is wrong than that something has no place which the room does not need, and for which nothing stands in.
     fn lacks_small_things_only(&self) -> bool {
-        self.lacks_pieces_only() && self.required_missing() == 0 && self.stand_ins.steps_down == 0
+        self.lacks_pieces_only()
+            && self.required_missing() == 0
+            && self.shortcomings.stand_ins.steps_down == 0
     }
 
     /// Steps after which no further alternative begins.
@@ -221,10 +245,6 @@ impl Judged {
         self.verdict.findings.iter().any(is_such)
     }
 
-    fn or_better(self, other: Self) -> Self {
-        if other.is_better_than(&self) { other } else { self }
-    }
-
     /// Whether it has fewer flaws, or as few and a higher score.
     fn is_better_than(&self, other: &Self) -> bool {
         let score = |judged: &Self| judged.verdict.score.map_or(0.0, |score| score.value);
@@ -236,22 +256,26 @@ impl Judged {
         }
     }
 
-    /// What alternatives are compared by first. A television that a reading corner stands in for, the third of its list, is as bad
-    /// as three small things that are missing.
+    /// What alternatives are compared by first.
     fn flaws(&self) -> Flaws {
         let count = |severity: Severity| {
             self.verdict.findings.iter().filter(|finding| finding.severity == severity).count()
         };
-        let missing = self.furnished.removals.len() + self.stand_ins.steps_down as usize;
-        let PoorPlaces { at_swings, open_sides, rests_of_niches } = self.poor_places;
-        let poor = AT_SWING * at_swings + OPEN_SIDES * open_sides + REST_OF_NICHE * rests_of_niches;
         Flaws {
             failed: count(Severity::Failed),
             minor: count(Severity::Minor),
             given: count(Severity::Given) + self.required_missing(),
-            lesser: missing + poor,
+            lesser: lesser_flaws(&self.furnished, &self.shortcomings),
         }
     }
+}
+
+/// What counts after all findings. A television that a reading corner stands in for, the third of its list, is as bad as three small
+/// things that are missing.
+fn lesser_flaws(furnished: &Furnished, shortcomings: &Shortcomings) -> usize {
+    let missing = furnished.removals.len() + shortcomings.stand_ins.steps_down as usize;
+    let PoorPlaces { at_swings, open_sides, rests_of_niches } = shortcomings.poor_places;
+    missing + AT_SWING * at_swings + OPEN_SIDES * open_sides + REST_OF_NICHE * rests_of_niches
 }
 
 /// What is wrong with an alternative, the worst first: they are compared in this order.
@@ -273,14 +297,19 @@ mod tests {
     use crate::audit::testing::found;
     use crate::catalog::{Size, StyleRef};
     use crate::geometry::Point;
-    use crate::layout::{Removal, RemovalReason};
+    use crate::layout::{Removal, RemovalReason, StandIns};
 
     fn empty(_: &Alternative) -> Counted {
         counted(nothing())
     }
 
     fn counted(furnished: Furnished) -> Counted {
-        Counted { furnished, steps: 1, stand_ins: StandIns::default(), poor_places: PoorPlaces::default() }
+        Counted { furnished, steps: 1, shortcomings: Shortcomings::default(), is_given_up: false }
+    }
+
+    fn with_poor_places(poor_places: PoorPlaces) -> Counted {
+        let shortcomings = Shortcomings { poor_places, ..Shortcomings::default() };
+        Counted { shortcomings, ..counted(nothing()) }
     }
 
     fn nothing() -> Furnished {
@@ -329,17 +358,49 @@ mod tests {
 
     #[test]
     fn a_room_without_findings_that_lacks_a_piece_is_not_tried_for_ever() {
+        let mut made = 0;
         let lacking = |_: &Alternative| {
+            made += 1;
             let removals = vec![Removal { class: 0, reason: RemovalReason::NoPlace, is_required: false }];
             counted(Furnished { removals, ..nothing() })
+        };
+        let best = best_of(16, lacking, |_| Verdict::default(), |_| Vec::new(), || 0);
+        assert_eq!((best.alternative.number, made), (0, 1 + PATIENCE));
+    }
+
+    #[test]
+    fn of_a_room_that_lacks_small_things_no_alternative_is_judged_that_lacks_as_many() {
+        // How many pieces the alternatives miss.
+        let mut missing = [2, 2, 1, 1, 3].into_iter();
+        let mut bounds = Vec::new();
+        let furnish = |alternative: &Alternative| {
+            bounds.push(alternative.gives_up_at);
+            let removal = |_| Removal { class: 0, reason: RemovalReason::NoPlace, is_required: false };
+            let removals: Vec<Removal> = (0..missing.next().unwrap()).map(removal).collect();
+            let is_given_up = alternative.gives_up_at.is_some_and(|most| removals.len() >= most as usize);
+            Counted { is_given_up, ..counted(Furnished { removals, ..nothing() }) }
         };
         let mut judged = 0;
         let judge = |_: &Furnished| {
             judged += 1;
             Verdict::default()
         };
-        assert_eq!(best_of(16, lacking, judge, |_| Vec::new(), || 0).alternative.number, 0);
-        assert_eq!(judged, 1 + PATIENCE);
+        assert_eq!(best_of(5, furnish, judge, |_| Vec::new(), || 0).alternative.number, 2);
+        assert_eq!(judged, 2);
+        assert_eq!(bounds, [None, Some(2), Some(2), Some(1), Some(1)]);
+    }
+
+    #[test]
+    fn a_room_with_findings_is_furnished_again_to_the_end() {
+        let mut bounds = Vec::new();
+        let furnish = |alternative: &Alternative| {
+            bounds.push(alternative.gives_up_at);
+            counted(nothing())
+        };
+        let judge =
+            |_: &Furnished| Verdict { findings: vec![found(Code::TightUse, &[])], ..Verdict::default() };
+        let _ = best_of(3, furnish, judge, |_| Vec::new(), || 0);
+        assert_eq!(bounds, [None; 3]);
     }
 
     #[test]
@@ -361,7 +422,7 @@ mod tests {
             let furnish = |_: &Alternative| {
                 furnished += 1;
                 let poor_places = PoorPlaces { at_swings: rooms[furnished - 1].0, ..PoorPlaces::default() };
-                Counted { poor_places, ..counted(nothing()) }
+                with_poor_places(poor_places)
             };
             let judge = |_: &Furnished| {
                 judged += 1;
@@ -379,8 +440,7 @@ mod tests {
     fn of_rooms_without_findings_the_one_with_fewer_poor_places_is_kept() {
         let chosen = |first: PoorPlaces| {
             let mut rooms = [first, PoorPlaces::default()].into_iter();
-            let furnish =
-                |_: &Alternative| Counted { poor_places: rooms.next().unwrap(), ..counted(nothing()) };
+            let furnish = |_: &Alternative| with_poor_places(rooms.next().unwrap());
             best_of(2, furnish, |_| Verdict::default(), |_| Vec::new(), || 0).alternative.number
         };
         assert_eq!(chosen(PoorPlaces { open_sides: 1, ..PoorPlaces::default() }), 1);
@@ -393,7 +453,7 @@ mod tests {
         let removal = Removal { class: 0, reason: RemovalReason::NoPlace, is_required: true };
         let lacking = counted(Furnished { removals: vec![removal], ..nothing() });
         let poor_places = PoorPlaces { at_swings: 1, open_sides: 1, rests_of_niches: 0 };
-        let mut rooms = [Counted { poor_places, ..counted(nothing()) }, lacking].into_iter();
+        let mut rooms = [with_poor_places(poor_places), lacking].into_iter();
         let furnish = |_: &Alternative| rooms.next().unwrap();
         let best = best_of(2, furnish, |_| Verdict::default(), |_| Vec::new(), || 0);
         assert_eq!(best.alternative.number, 0);
@@ -403,7 +463,7 @@ mod tests {
     fn findings_of_the_plan_count_more_than_poor_places() {
         let poor_places = PoorPlaces { open_sides: 1, ..PoorPlaces::default() };
         let mut rooms = [poor_places, PoorPlaces::default()].into_iter();
-        let furnish = |_: &Alternative| Counted { poor_places: rooms.next().unwrap(), ..counted(nothing()) };
+        let furnish = |_: &Alternative| with_poor_places(rooms.next().unwrap());
         let given = Finding { severity: Severity::Given, ..found(Code::TightUse, &[]) };
         let mut findings = [Vec::new(), vec![given]].into_iter();
         let judge = |_: &Furnished| Verdict { findings: findings.next().unwrap(), ..Verdict::default() };
@@ -424,7 +484,8 @@ mod tests {
                 let removals =
                     if alternative.takes_substitutes && is_replaced { Vec::new() } else { vec![removal] };
                 let stand_ins = StandIns { are_left, ..StandIns::default() };
-                Counted { stand_ins, ..counted(Furnished { removals, ..nothing() }) }
+                let shortcomings = Shortcomings { stand_ins, ..Shortcomings::default() };
+                Counted { shortcomings, ..counted(Furnished { removals, ..nothing() }) }
             };
             best_of(1, lacking, |_| Verdict::default(), |_| Vec::new(), || 0).alternative
         };

@@ -28,6 +28,9 @@ pub(crate) fn arrange(environment: &mut Environment<'_>, key: &RoomKey) {
         }
         for agent in round {
             act(environment, agent, key);
+            if environment.is_given_up() {
+                return;
+            }
         }
     }
 }
@@ -61,6 +64,7 @@ fn act(environment: &mut Environment<'_>, agent: AgentIndex, key: &RoomKey) {
         environment.agents[substitute].state = State::Search;
         act(environment, substitute, key);
     }
+    environment.lacking += wanted::lack(environment, agent);
 }
 
 /// Where an agent fits on what is there to carry it but misses what it needs, the two look for a place together: a screen that

@@ -15,7 +15,8 @@ use super::rules::PoorPlaces;
 use super::seed::RoomKey;
 use super::wanted::StandIns;
 use super::{
-    arrange, covering, fitted, jointly, locked, push, result, turning, untidy, useless, wanted, ways,
+    Shortcomings, arrange, covering, fitted, jointly, locked, push, result, turning, untidy, useless, wanted,
+    ways,
 };
 
 /// Whether what agents meet on their search is noted.
@@ -39,10 +40,10 @@ pub(crate) struct Kept<T> {
     pub(crate) attempts: u32,
     /// The work of all of them, in steps of about a tenth of a microsecond.
     pub(crate) steps: u64,
-    /// The pieces in it that replace others.
-    pub(crate) stand_ins: StandIns,
-    /// Its required pieces that would rather stand elsewhere.
-    pub(crate) poor_places: PoorPlaces,
+    /// What it lacks, beside the removals.
+    pub(crate) shortcomings: Shortcomings,
+    /// Whether it was given up before it was finished.
+    pub(crate) is_given_up: bool,
 }
 
 /// Furnishes a room as often as it deserves and keeps the attempt that lacks least, of equals the first. `describe` gives a
@@ -70,13 +71,16 @@ pub(crate) fn best_attempt<T>(
         }
         attempts += 1;
     }
-    let Attempt { furnished, description, number, stand_ins, poor_places, .. } = best;
-    Kept { furnished, description, number: number + 1, attempts, steps, stand_ins, poor_places }
+    let Attempt { furnished, description, number, shortcomings, lack, .. } = best;
+    let (number, is_given_up) = (number + 1, lack.is_given_up);
+    Kept { furnished, description, number, attempts, steps, shortcomings, is_given_up }
 }
 
-/// The shortcomings of an attempt, the worst first: attempts are compared in this order.
+/// The lack of an attempt, the worst first: attempts are compared in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Lack {
+    /// Whether it was given up, so that what else it lacks is not known.
+    is_given_up: bool,
     /// Classes of which a required piece is missing and none is there.
     classes_without_any: usize,
     /// Ways that are closed, with the room to turn where the style asks for it.
@@ -105,6 +109,7 @@ impl Lack {
         let is_there = |class| furnished.placements.iter().any(|placement| placement.class == class);
         let classes: BTreeSet<ClassIndex> = required().map(|removal| removal.class).collect();
         Self {
+            is_given_up: environment.is_given_up(),
             classes_without_any: classes.into_iter().filter(|&class| !is_there(class)).count(),
             closed_ways,
             required: required().count(),
@@ -125,8 +130,7 @@ struct Attempt<T> {
     missed: BTreeSet<AgentIndex>,
     description: T,
     steps: u64,
-    stand_ins: StandIns,
-    poor_places: PoorPlaces,
+    shortcomings: Shortcomings,
 }
 
 impl<T> Attempt<T> {
@@ -150,8 +154,7 @@ impl<T> Attempt<T> {
         Self {
             number,
             lack: Lack::of(&environment, &furnished, closed_ways, stand_ins),
-            stand_ins,
-            poor_places: PoorPlaces::of(&environment),
+            shortcomings: Shortcomings { stand_ins, poor_places: PoorPlaces::of(&environment) },
             missed: missed(&environment),
             description: describe(&environment, &furnished),
             steps: environment.steps(),
@@ -166,7 +169,10 @@ impl<T> Attempt<T> {
 
     /// How many attempts the room deserves.
     fn deserved_attempts(&self, brief: &Brief<'_>) -> u32 {
-        let Lack { classes_without_any, closed_ways, required, strays, pieces, .. } = self.lack;
+        let Lack { is_given_up, classes_without_any, closed_ways, required, strays, pieces, .. } = self.lack;
+        if is_given_up {
+            return 1;
+        }
         let misses_many = pieces as f64 > MISSING_SHARE * f64::from(self.furnished.requested);
         // Without its only bed, or without a way through, a room gets four times the attempts.
         let is_in_need = classes_without_any > 0 || closed_ways > 0;
@@ -181,7 +187,7 @@ impl<T> Attempt<T> {
 }
 
 /// The steps of section 4: actions until all agents rest or are removed, then the style's untidiness; after that,
-/// ways are cleared and rugs laid. Returns how many ways stay closed.
+/// ways are cleared and rugs laid. Returns how many ways stay closed; what is given up keeps no ways.
 fn act_all(environment: &mut Environment<'_>, key: &RoomKey, is_first: bool) -> usize {
     let style = environment.brief.style;
     locked::settle_locked(environment);
@@ -193,6 +199,9 @@ fn act_all(environment: &mut Environment<'_>, key: &RoomKey, is_first: bool) -> 
         arrange::arrange(environment, key);
     }
     useless::give_back(environment, key);
+    if environment.is_given_up() {
+        return 0;
+    }
     // Who is sent away from here on searches among all that rest.
     let lacks_turn = style.access == Access::Wheelchair && turning::lacks_turn(environment, key);
     let closed_ways = ways::clear_ways(environment, key, is_first);

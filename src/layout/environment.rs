@@ -42,6 +42,8 @@ pub(crate) struct Environment<'a> {
     pub(crate) heeds_tags: bool,
     /// How many times the room was furnished before, in other attempts and alternatives.
     pub(crate) turn: usize,
+    /// Pieces that have found no place so far, and steps down for those that others stand in for.
+    pub(crate) lacking: u32,
     bodies: Vec<OwnedSolid>,
     body_grid: Grid,
     clearances: Vec<Region>,
@@ -108,6 +110,7 @@ impl<'a> Environment<'a> {
             is_exhausted: vec![false; catalog.classes.len()],
             heeds_tags: start.heeds_tags,
             turn: start.turn,
+            lacking: 0,
             // Most pieces are a box or a top with a leg or two.
             bodies: Vec::with_capacity(pieces.len() * 2),
             body_grid: Grid::new(bounds),
@@ -153,6 +156,11 @@ impl<'a> Environment<'a> {
         classes: &'b [ClassIndex],
     ) -> impl Iterator<Item = AgentIndex> + 'b {
         classes.iter().flat_map(|&class| self.resting[class].iter().copied())
+    }
+
+    /// Whether so much is lacking that the arrangement is not worth finishing.
+    pub(crate) fn is_given_up(&self) -> bool {
+        self.brief.alternative.gives_up_at.is_some_and(|most| self.lacking >= most)
     }
 
     /// Counts work, in steps of about a tenth of a microsecond.

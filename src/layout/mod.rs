@@ -93,6 +93,16 @@ pub struct Counted {
     pub furnished: Furnished,
     /// Work of all attempts, in steps of about a tenth of a microsecond: the same on every machine.
     pub steps: u64,
+    /// What it lacks, beside the removals.
+    pub shortcomings: Shortcomings,
+    /// Whether it was given up before it was finished ([`Alternative::gives_up_at`]): the room holds what had found a place by then.
+    pub is_given_up: bool,
+}
+
+/// What a furnished room lacks of what was asked for, and what stands there as a second best. Those who choose among arrangements
+/// count it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Shortcomings {
     /// The pieces that replace others.
     pub stand_ins: StandIns,
     /// The required pieces that would rather stand elsewhere.
@@ -113,13 +123,15 @@ impl<'a> RoomLayout<'a> {
         match &self.brief {
             Ok(brief) => {
                 let kept = best_attempt(&brief.alternative(alternative), Recording::Off, |_, _| ());
-                let Kept { furnished, steps, stand_ins, poor_places, .. } = kept;
-                Counted { furnished, steps, stand_ins, poor_places }
+                let Kept { furnished, steps, shortcomings, is_given_up, .. } = kept;
+                Counted { furnished, steps, shortcomings, is_given_up }
             }
-            Err(furnished) => {
-                let (stand_ins, poor_places) = (StandIns::default(), PoorPlaces::default());
-                Counted { furnished: furnished.clone(), steps: 0, stand_ins, poor_places }
-            }
+            Err(furnished) => Counted {
+                furnished: furnished.clone(),
+                steps: 0,
+                shortcomings: Shortcomings::default(),
+                is_given_up: false,
+            },
         }
     }
 

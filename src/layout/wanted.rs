@@ -90,18 +90,30 @@ impl StandIns {
                 && !environment.brief.alternative.takes_substitutes
                 && substitute(environment, agent).is_some()
         };
-        let lost = |agent: AgentIndex| match steps_down(environment, agent) {
-            0 => substitutes(environment, agent).count() as u32,
-            steps => steps,
-        };
         let is_spent = |&agent: &AgentIndex| {
             steps_down(environment, agent) == 0 && substitutes(environment, agent).count() >= LONG_LIST
         };
         Self {
-            steps_down: heads().map(lost).sum(),
+            steps_down: heads().map(|agent| lost(environment, agent)).sum(),
             spent_lists: heads().filter(is_spent).count() as u32,
             are_left: heads().any(is_left),
         }
+    }
+}
+
+/// What the room lacks because an agent found no place: the piece, if it is missed, and the steps down to what stands in for it.
+pub(crate) fn lack(environment: &Environment<'_>, agent: AgentIndex) -> u32 {
+    match environment.agents[agent].piece.substitute_for {
+        Some(_) => 0,
+        None => u32::from(is_missed(environment, agent)) + lost(environment, agent),
+    }
+}
+
+/// Steps down the list of substitutes of an agent without a place to the one that stands in for it; all of them if none does.
+fn lost(environment: &Environment<'_>, agent: AgentIndex) -> u32 {
+    match steps_down(environment, agent) {
+        0 => substitutes(environment, agent).count() as u32,
+        steps => steps,
     }
 }
 
@@ -201,6 +213,21 @@ mod tests {
     }
 
     #[test]
+    fn an_arrangement_that_lacks_as_much_as_another_is_given_up() {
+        let catalog = catalog(&[(DESK, Count::Fixed(2)), (SHELF, Count::Fixed(1))], Untidiness::default());
+        let (level, options) = (level(NARROW), FurnishOptions::new(1, "test"));
+        let layout = RoomLayout::new(level.room(0), &catalog, &options);
+        let finished = |gives_up_at: Option<u32>| {
+            let made = layout.furnish(&Alternative { gives_up_at, ..Alternative::numbered(1) });
+            (!made.is_given_up).then_some(made)
+        };
+        let whole = finished(None).expect("nothing says that it is given up");
+        assert_eq!(whole.furnished.removals.len(), 2);
+        assert_eq!(finished(Some(3)).as_ref(), Some(&whole));
+        assert_eq!(finished(Some(2)), None);
+    }
+
+    #[test]
     fn of_a_piece_for_which_nothing_stands_in_the_whole_list_counts() {
         let mut catalog = catalog(&[(DESK, Count::Fixed(1))], Untidiness::default());
         let table = Class { id: "table".to_owned(), ..catalog.classes[DESK].clone() };
@@ -209,7 +236,8 @@ mod tests {
             catalog.room_types.get_mut("office").unwrap().programme[0].substitutes = substitutes.to_vec();
             let (level, options) = (level(NARROW), FurnishOptions::new(1, "test"));
             let layout = RoomLayout::new(level.room(0), &catalog, &options);
-            let StandIns { steps_down, spent_lists, .. } = layout.furnish(&Alternative::default()).stand_ins;
+            let StandIns { steps_down, spent_lists, .. } =
+                layout.furnish(&Alternative::default()).shortcomings.stand_ins;
             (steps_down, spent_lists)
         };
         assert_eq!(stand_ins(&[]), (0, 0));
@@ -228,10 +256,13 @@ mod tests {
         let layout = RoomLayout::new(level.room(0), &catalog, &options);
         let usual = layout.furnish(&Alternative::default());
         assert_eq!(names(&catalog, &usual.furnished), (vec![], vec!["desk".to_owned()]));
-        assert!(usual.stand_ins.are_left);
+        assert!(usual.shortcomings.stand_ins.are_left);
         let last = layout.furnish(&Alternative { takes_substitutes: true, ..Alternative::default() });
         assert_eq!(names(&catalog, &last.furnished), (vec!["shelf".to_owned()], vec![]));
-        assert_eq!((last.stand_ins.are_left, last.stand_ins.steps_down), (false, 1));
+        assert_eq!(
+            (last.shortcomings.stand_ins.are_left, last.shortcomings.stand_ins.steps_down),
+            (false, 1)
+        );
     }
 
     #[test]

@@ -4,7 +4,7 @@ use super::edits;
 use crate::audit::testing::{TestRoom, at};
 use crate::best::Judged;
 use crate::edits::{Finished, finish};
-use crate::layout::{Alternative, Furnished, Parent, Placement, PoorPlaces, StandIns};
+use crate::layout::{Alternative, Furnished, Parent, Placement, Shortcomings};
 
 fn room() -> TestRoom {
     let mut room = TestRoom::rectangle(5.0, 4.0);
@@ -22,8 +22,7 @@ fn edited(room: &TestRoom, lines: &[&str]) -> Finished {
         furnished: room.furnished(),
         verdict: room.judge(),
         alternative: Alternative::default(),
-        stand_ins: StandIns::default(),
-        poor_places: PoorPlaces::default(),
+        shortcomings: Shortcomings::default(),
     };
     let judge =
         |furnished: &Furnished| crate::solve::judge_room(room.level.room(0), furnished, &room.catalog);

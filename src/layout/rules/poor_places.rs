@@ -74,7 +74,10 @@ mod tests {
         let mut level = level(corners);
         level.rooms[0].walls[4].tags.push("here".to_owned());
         let options = FurnishOptions::new(seed, "test");
-        RoomLayout::new(level.room(0), &catalog, &options).furnish(&Alternative::default()).poor_places
+        RoomLayout::new(level.room(0), &catalog, &options)
+            .furnish(&Alternative::default())
+            .shortcomings
+            .poor_places
     }
 
     #[test]

@@ -57,7 +57,10 @@ mod tests {
         let options = FurnishOptions::new(seed, "test");
         let room = RoomLayout::new(level.room(0), &catalog, &options).furnish(&Alternative::default());
         let shelf = solids(&catalog.classes[SHELF], &room.furnished.placements[0])[0];
-        (distance_of_convex(shelf.footprint(), swings[0].corners()), room.poor_places.at_swings == 1)
+        (
+            distance_of_convex(shelf.footprint(), swings[0].corners()),
+            room.shortcomings.poor_places.at_swings == 1,
+        )
     }
 
     fn distance(corners: &[(f64, f64)], wished: f64, seed: u64) -> f64 {
