@@ -163,14 +163,22 @@ fn is_welcome(subject: &Subject<'_>, owner: usize, number: usize, body: usize) -
 }
 
 /// Whether a body belongs to the owner of a clearance: the owner itself, what it stands at, what stands on or
-/// under it, a child at that side, or what rests on one of these (the cushion on the chair).
+/// under it, a child at that side, what stands at the same side of another as the owner does (the nightstand between twin beds), or
+/// what rests on one of these (the cushion on the chair).
 fn is_relative(subject: &Subject<'_>, owner: usize, side: Side, body: usize) -> bool {
     let is_welcome_child = |object: usize| {
         let placement = subject.bodies[object].placement;
         let is_out_of_the_way = matches!(placement.side, Side::Above | Side::Below);
         placement.parent == Parent::Object(owner) && (is_out_of_the_way || placement.side == side)
     };
+    let owner_placement = subject.bodies[owner].placement;
+    let is_at_same_side = |object: usize| {
+        let placement = subject.bodies[object].placement;
+        matches!(placement.parent, Parent::Object(_))
+            && (placement.parent, placement.side) == (owner_placement.parent, owner_placement.side)
+    };
     subject.descends_from(owner, body)
+        || subject.ancestors(body).any(is_at_same_side)
         || subject.ancestors(body).take_while(|&object| object > owner).any(is_welcome_child)
 }
 
