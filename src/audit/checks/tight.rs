@@ -46,6 +46,7 @@ mod tests {
     use crate::audit::testing::{TestRoom, at};
     use crate::audit::{Code, Element, Severity};
     use crate::catalog::{Clearance, Side};
+    use crate::layout::Parent;
 
     #[test]
     fn between_minimum_and_good_a_side_is_tight() {
@@ -99,6 +100,30 @@ mod tests {
         assert!((findings[0].1 - 0.8).abs() < 1e-9, "{findings:?}");
         let findings = tight(0.3, 0.4);
         assert_eq!((findings.len(), findings[0].0), (1, Code::BlockedUse), "{findings:?}");
+    }
+
+    #[test]
+    fn what_stands_between_twins_is_in_the_way_of_neither() {
+        // A chest beside a stool, 0.9 m from it; the lamp between the two stands 0.5 m from the chest.
+        let between = |parent: fn(usize) -> Parent| {
+            let mut room = TestRoom::rectangle(6.0, 4.0);
+            let chest = room.catalog.class_index("chest").unwrap();
+            room.catalog.classes[chest].clearances =
+                vec![Clearance { side: Side::Left, good: 0.9, minimum: 0.3, ..Clearance::SEAT }];
+            let stool = room.stand("stool", at(0.5, 2.0));
+            let half = |class: &str| {
+                room.catalog.classes[room.catalog.class_index(class).unwrap()].sizes[0].width / 2.0
+            };
+            let side = 0.5 + half("stool") + 0.9;
+            let [lamp_at, chest_at] = [side - 0.5 - half("lamp"), side + half("chest")];
+            for (class, x) in [("chest", chest_at), ("lamp", lamp_at)] {
+                let piece = room.add(class, at(x, 2.0), parent(stool));
+                room.placements[piece].side = Side::Right;
+            }
+            room.count(Code::TightUse)
+        };
+        assert_eq!(between(Parent::Object), 0);
+        assert_eq!(between(|_| Parent::Floor), 1);
     }
 
     #[test]

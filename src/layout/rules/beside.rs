@@ -189,10 +189,46 @@ fn towards_back(face: &Face, along: Point) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use crate::catalog::{Along, Count, ParentName, Side, Turn, Untidiness};
-    use crate::layout::tests::{catalog, level, rule, run};
+    use crate::catalog::{Along, Clearance, Count, ParentName, ParentRule, Side, Size, Turn, Untidiness};
+    use crate::layout::Parent;
+    use crate::layout::tests::{WIDE, catalog, level, rule, run};
 
     const SHELF: usize = 4;
+
+    #[test]
+    fn twins_stand_side_by_side_and_what_is_between_them_takes_no_room_of_either() {
+        const BED: usize = 1;
+        let mut catalog = catalog(&[(BED, Count::Fixed(2)), (SHELF, Count::Fixed(1))], Untidiness::default());
+        let sides = [Side::Left, Side::Right];
+        let beside_bed = |metres: f64| {
+            let beside = rule(ParentName::Classes(vec![BED]), &sides, Turn::Parallel, Along::Back);
+            ParentRule { gap: (metres, metres), ..beside }
+        };
+        let clearance = |side| Clearance { side, minimum: 0.56, good: 1.07, ..Clearance::SEAT };
+        let bed = &mut catalog.classes[BED];
+        bed.sizes[0] = Size { width: 1.0, depth: 2.0, height: 0.9 };
+        bed.parents.insert(0, beside_bed(1.1));
+        for side in sides {
+            let offer = &mut bed.sides[side.index()];
+            (offer.places, offer.space) = (2, Some(3.0));
+        }
+        (bed.clearances, bed.either) = (Vec::new(), sides.map(clearance).to_vec());
+        let nightstand = &mut catalog.classes[SHELF];
+        nightstand.sizes[0] = Size { width: 0.4, depth: 0.4, height: 0.5 };
+        (nightstand.parents, nightstand.depth) = (vec![beside_bed(0.03)], 1);
+        let (mut twins, mut between) = (0, 0);
+        for seed in 0..24 {
+            let placements = run(&level(WIDE), &catalog, seed).placements;
+            let [one, other, nightstand] = &placements[..] else { panic!("{placements:?}") };
+            if other.parent == Parent::Object(0) {
+                twins += 1;
+                assert!((one.position.distance(other.position) - 2.1).abs() < 1e-6);
+                let middle = (one.position + other.position) / 2.0;
+                between += usize::from(middle.distance(nightstand.position) < 1.0);
+            }
+        }
+        assert!(twins > 12 && between > 3, "{twins} {between}");
+    }
 
     #[test]
     fn a_run_ends_where_its_wall_does() {
