@@ -2,7 +2,6 @@
 
 use crate::catalog::{Clearance, Shape};
 use crate::geometry::Solid;
-use crate::layout::agent::Rest;
 use crate::layout::body::{box_solid, clearance_between, clearance_solid, seat};
 use crate::layout::constants::{CLEARANCE_TOLERANCE, CONTACT_TOLERANCE, RUG_HEIGHT};
 use crate::layout::place::{AgentIndex, ParentPart, Place};
@@ -140,7 +139,7 @@ impl<'a> Environment<'a> {
             let is_in_it = !body.is_flat
                 && body.owner != agent
                 && body.solid.overlaps(&solid, CLEARANCE_TOLERANCE)
-                && !self.is_relative(agent, place, body.owner);
+                && !self.is_relative(agent, place.parent, body.owner);
             is_in_it.then_some(match body.owner {
                 ROOM => Obstacle::ColumnInOwnClearance,
                 owner => Obstacle::InOwnClearance(owner),
@@ -175,21 +174,10 @@ impl<'a> Environment<'a> {
     }
 
     /// Whether an owner is an ancestor or a descendant of an agent that would have this parent.
-    fn is_of_its_line(&self, agent: AgentIndex, parent: ParentPart, owner: AgentIndex) -> bool {
+    pub(super) fn is_relative(&self, agent: AgentIndex, parent: ParentPart, owner: AgentIndex) -> bool {
         owner != ROOM
             && (self.descends(parent, owner)
                 || self.agents[owner].rest().is_some_and(|rest| self.descends(rest.parent, agent)))
-    }
-
-    /// The same, or both stand at one side of another: the second of twin beds and the nightstand of the first, which is between
-    /// the two.
-    fn is_relative(&self, agent: AgentIndex, place: &Place, owner: AgentIndex) -> bool {
-        let is_at_same_side = |rest: &Rest| {
-            (rest.parent, rest.side) == (place.parent, place.side)
-                && matches!(rest.parent, ParentPart::Agent(_))
-        };
-        self.is_of_its_line(agent, place.parent, owner)
-            || (owner != ROOM && self.agents[owner].rest().is_some_and(is_at_same_side))
     }
 
     /// Whether a place uses the floor where another object's seat will stand, or has its own seats where others
@@ -211,7 +199,7 @@ impl<'a> Environment<'a> {
                 };
                 other.owner != agent
                     && own.overlaps(needed, CLEARANCE_TOLERANCE)
-                    && !self.is_relative(agent, place, other.owner)
+                    && !self.is_relative(agent, place.parent, other.owner)
             })
         })
     }
@@ -248,7 +236,7 @@ impl<'a> Environment<'a> {
                 let region = &self.clearances[index];
                 let is_in_it = region.owner != agent
                     && region.comfort.overlaps(&solid, CLEARANCE_TOLERANCE)
-                    && !self.is_relative(agent, place, region.owner);
+                    && !self.is_relative(agent, place.parent, region.owner);
                 is_in_it.then_some(Obstacle::ClearanceOf(region.owner))
             });
             if is_taken && R::FIRST_IS_ENOUGH {
@@ -295,7 +283,7 @@ impl<'a> Environment<'a> {
         if !stands(&probe.whole) {
             return false;
         }
-        let is_stranger = |owner: AgentIndex| !self.is_of_its_line(probe.agent, probe.place.parent, owner);
+        let is_stranger = |owner: AgentIndex| !self.is_relative(probe.agent, probe.place.parent, owner);
         let is_under = any_obstacle(&self.roof_grid, probe.whole.bounds, recorder, |index| {
             let (roof, owner) = &self.roofs[index];
             let is_under =

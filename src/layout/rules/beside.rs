@@ -196,7 +196,7 @@ mod tests {
     const SHELF: usize = 4;
 
     #[test]
-    fn twins_stand_side_by_side_and_what_is_between_them_takes_no_room_of_either() {
+    fn twins_stand_side_by_side_and_what_belongs_to_one_may_stand_between_them() {
         const BED: usize = 1;
         let mut catalog = catalog(&[(BED, Count::Fixed(2)), (SHELF, Count::Fixed(1))], Untidiness::default());
         let sides = [Side::Left, Side::Right];
