@@ -58,11 +58,11 @@ COFFEE_TABLES = {"coffee_table", "lounge_table"}
 VIEWERS = SOFAS | EASY_CHAIRS | BEDS
 DRESSING = {"dressing_table", "dresser", "console_table", "sideboard", "shoe_cabinet", "desk", "small_desk", "lowboard"}
 
-LIVING_ROOMS = {"living_room", "living_dining", "living_kitchen", "studio"}
+LIVING_ROOMS = {"living_room", "living_dining", "living_kitchen", "studio", "studio_kitchen"}
 # A room whose plan leaves open what it is.
 OPEN_KINDS = {"room"}
-BEDROOMS = {"bedroom", "room", "main_bedroom", "guest_bedroom", "elders_bedroom", "shared_room", "studio"}
-KITCHENS = {"kitchen", "kitchen_dining", "living_kitchen"}
+BEDROOMS = {"bedroom", "room", "main_bedroom", "guest_bedroom", "elders_bedroom", "shared_room", "studio", "studio_kitchen"}
+KITCHENS = {"kitchen", "kitchen_dining", "living_kitchen", "studio_kitchen"}
 BATHROOMS = {"bathroom", "toilet"}
 HALLS = {"corridor", "walkway", "foyer"}
 HOME_ROOMS = LIVING_ROOMS | BEDROOMS | KITCHENS | {"childrens_room", "shared_childrens_room", "sitting_room",

@@ -27,13 +27,14 @@ pub(super) fn living_rooms(chambers: &[Chamber<'_>], households: &Households) ->
     open_kitchen.flatten().into_iter().chain(others).collect()
 }
 
-/// Whether people who have a bath and a bed besides their living room would have nowhere to cook. Without these, the dwelling goes on on
-/// another floor, and may have its kitchen there.
+/// Whether people who have a bath, and a bed in their living room or in another, would have nowhere to cook. Without these, the
+/// dwelling goes on on another floor, and may have its kitchen there.
 fn lacks_a_kitchen(chambers: &[Chamber<'_>], living: usize, households: &Households) -> bool {
     let homes = &households.homes;
     !has(chambers, &homes.kitchens)
         && has(chambers, &homes.bathrooms)
-        && leaves_a_bedroom(chambers, living, households)
+        && (chambers[living].room.room_type == homes.only_room
+            || leaves_a_bedroom(chambers, living, households))
 }
 
 /// Whether somebody may sleep in another room than the living room.

@@ -172,7 +172,15 @@ fn people_cook_in_their_living_room_where_the_plan_names_no_kitchen() {
     assert_eq!(living_room("bathroom", "bedroom", 26.0), "living_kitchen");
     assert_eq!(living_room("bathroom", "bedroom", 16.0), "living_dining", "no room for a row");
     assert_eq!(living_room("bathroom", "kitchen", 26.0), "living_dining");
+    let studio = |bath: &str, other: &str, area: f64| {
+        let flat = flat(&[("corridor", 6.0), (bath, 4.0), ("studio", area), (other, 4.0)]);
+        rooms(&flat, 1, &catalog)[2].room_type.clone()
+    };
+    assert_eq!(studio("bathroom", "storeroom", 20.0), "studio_kitchen");
+    assert_eq!(studio("bathroom", "storeroom", 14.0), "studio", "no room for a row");
+    assert_eq!(studio("bathroom", "kitchenette", 20.0), "studio");
     // A floor of a larger dwelling.
+    assert_eq!(studio("toilet", "storeroom", 20.0), "studio");
     assert_eq!(living_room("toilet", "bedroom", 26.0), "living_dining");
     assert_eq!(living_room("bathroom", "study", 26.0), "living_dining");
 }

@@ -169,6 +169,7 @@ def judge_crooked(room: Room) -> Answer | None:
 UNITS = {"sink": SINKS, "cooker": COOKERS, "fridge": FRIDGES}
 REQUIRED = dict.fromkeys(BEDROOMS, {"bed": BEDS}) | {"bathroom": {"toilet": TOILETS}, "toilet": {"toilet": TOILETS},
             "kitchen": UNITS, "kitchen_dining": UNITS, "living_kitchen": UNITS | {"sofa": SOFAS},
+            "studio_kitchen": UNITS | {"bed": BEDS},
             "living_room": {"sofa": SOFAS}, "living_dining": {"sofa": SOFAS}}
 # Square metres from which an empty room of a kind can hold what it requires, whatever its doors.
 REQUIRED_AREA = dict.fromkeys(BEDROOMS, 8.0) | {"bathroom": 2.0, "toilet": 1.4} | dict.fromkeys(KITCHENS | LIVING_ROOMS, 6.0)
