@@ -155,31 +155,34 @@ pub(crate) fn comfort_takings(subject: &Subject<'_>, zones: &[Zone], hits: &[Nea
 }
 
 /// Whether a body may be in a clearance: it belongs to its object, and the side takes children or it lies
-/// below in the hierarchy.
+/// below in the hierarchy. A side that takes children takes those of a twin, too: the nightstand between two beds.
 fn is_welcome(subject: &Subject<'_>, owner: usize, number: usize, body: usize) -> bool {
     let clearance = subject.bodies[owner].class.clearance(number);
     // Parents come before their children in the placements: a body of a lower index is the owner or what that belongs to.
-    is_relative(subject, owner, clearance.side, body) && (clearance.allows_children || body <= owner)
+    (is_relative(subject, owner, clearance.side, body) && (clearance.allows_children || body <= owner))
+        || (clearance.allows_children && is_at_same_side(subject, owner, body))
 }
 
 /// Whether a body belongs to the owner of a clearance: the owner itself, what it stands at, what stands on or
-/// under it, a child at that side, what stands at the same side of another as the owner does (the nightstand between twin beds), or
-/// what rests on one of these (the cushion on the chair).
+/// under it, a child at that side, or what rests on one of these (the cushion on the chair).
 fn is_relative(subject: &Subject<'_>, owner: usize, side: Side, body: usize) -> bool {
     let is_welcome_child = |object: usize| {
         let placement = subject.bodies[object].placement;
         let is_out_of_the_way = matches!(placement.side, Side::Above | Side::Below);
         placement.parent == Parent::Object(owner) && (is_out_of_the_way || placement.side == side)
     };
-    let owner_placement = subject.bodies[owner].placement;
-    let is_at_same_side = |object: usize| {
-        let placement = subject.bodies[object].placement;
-        matches!(placement.parent, Parent::Object(_))
-            && (placement.parent, placement.side) == (owner_placement.parent, owner_placement.side)
-    };
     subject.descends_from(owner, body)
-        || subject.ancestors(body).any(is_at_same_side)
         || subject.ancestors(body).take_while(|&object| object > owner).any(is_welcome_child)
+}
+
+/// Whether a body, or what it rests on, stands at the same side of an object as another one does.
+fn is_at_same_side(subject: &Subject<'_>, other: usize, body: usize) -> bool {
+    let other = subject.bodies[other].placement;
+    let is_beside = |object: usize| {
+        let placement = subject.bodies[object].placement;
+        (placement.parent, placement.side) == (other.parent, other.side)
+    };
+    matches!(other.parent, Parent::Object(_)) && subject.ancestors(body).any(is_beside)
 }
 
 /// Whether something hangs flat on a wall, where nobody walks into it.
