@@ -13,10 +13,10 @@ use super::furnished::Furnished;
 use super::place::AgentIndex;
 use super::rules::PoorPlaces;
 use super::seed::RoomKey;
+use super::shortcomings::Shortcomings;
 use super::wanted::StandIns;
 use super::{
-    Shortcomings, arrange, covering, fitted, jointly, locked, push, result, turning, untidy, useless, wanted,
-    ways,
+    arrange, covering, fitted, jointly, locked, push, result, turning, untidy, useless, wanted, ways,
 };
 
 /// Whether what agents meet on their search is noted.

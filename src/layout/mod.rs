@@ -41,6 +41,7 @@ mod result;
 mod rules;
 mod search;
 pub(crate) mod seed;
+mod shortcomings;
 mod suggested;
 mod suggestion;
 mod surroundings;
@@ -62,6 +63,7 @@ pub(crate) use ids::{object_id, opening_id, parent_id};
 pub use lock::{Lock, LockSupport};
 pub use options::FurnishOptions;
 pub use rules::PoorPlaces;
+pub use shortcomings::Shortcomings;
 pub use suggestion::{Alternative, Suggestion};
 pub use wanted::StandIns;
 
@@ -97,16 +99,6 @@ pub struct Counted {
     pub shortcomings: Shortcomings,
     /// Whether it was given up before it was finished ([`Alternative::gives_up_at`]): the room holds what had found a place by then.
     pub is_given_up: bool,
-}
-
-/// What a furnished room lacks of what was asked for, and what stands there as a second best. Those who choose among arrangements
-/// count it.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Shortcomings {
-    /// The pieces that replace others.
-    pub stand_ins: StandIns,
-    /// The required pieces that would rather stand elsewhere.
-    pub poor_places: PoorPlaces,
 }
 
 impl<'a> RoomLayout<'a> {
