@@ -9,7 +9,8 @@ use core::cmp::Ordering;
 use crate::audit::{Code, Finding, Severity, Verdict};
 use crate::catalog::Catalog;
 use crate::layout::{
-    Alternative, Counted, FurnishOptions, Furnished, PoorPlaces, RoomLayout, Shortcomings, Suggestion,
+    Alternative, Counted, FurnishOptions, Furnished, PoorPlaces, RoomLayout, Shortcomings, StandIns,
+    Suggestion,
 };
 use crate::plan::RoomRef;
 use crate::solve::RoomSolver;
@@ -273,8 +274,9 @@ impl Judged {
 /// What counts after all findings. A television that a reading corner stands in for, the third of its list, is as bad as three small
 /// things that are missing.
 fn lesser_flaws(furnished: &Furnished, shortcomings: &Shortcomings) -> usize {
-    let missing = furnished.removals.len() + shortcomings.stand_ins.steps_down as usize;
+    let StandIns { steps_down, .. } = shortcomings.stand_ins;
     let PoorPlaces { at_swings, open_sides, rests_of_niches } = shortcomings.poor_places;
+    let missing = furnished.removals.len() + steps_down as usize;
     missing + AT_SWING * at_swings + OPEN_SIDES * open_sides + REST_OF_NICHE * rests_of_niches
 }
 
@@ -297,7 +299,7 @@ mod tests {
     use crate::audit::testing::found;
     use crate::catalog::{Size, StyleRef};
     use crate::geometry::Point;
-    use crate::layout::{Removal, RemovalReason, StandIns};
+    use crate::layout::{Removal, RemovalReason};
 
     fn empty(_: &Alternative) -> Counted {
         counted(nothing())
