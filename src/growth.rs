@@ -35,7 +35,7 @@ pub(crate) fn growth<T>(
     make: impl Fn(usize) -> T,
     run: impl Fn(T),
 ) -> f64 {
-    const ROUNDS: usize = 8;
+    const ROUNDS: usize = 4;
     /// Seconds of work below which the clock is too coarse.
     const LEAST: f64 = 0.1;
     let seconds = |size: usize| {

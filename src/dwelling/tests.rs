@@ -165,17 +165,15 @@ fn a_second_living_room_has_no_screen() {
 #[test]
 fn people_cook_in_their_living_room_where_the_plan_names_no_kitchen() {
     let catalog = catalog();
-    let living_room = |bath: &str, bedroom: &str, area: f64| {
-        let flat = flat(&[("corridor", 6.0), (bath, 4.0), ("living_dining", area), (bedroom, 14.0)]);
+    let role = |bath: &str, (living, area): (&str, f64), other: &str| {
+        let flat = flat(&[("corridor", 6.0), (bath, 4.0), (living, area), (other, 14.0)]);
         rooms(&flat, 1, &catalog)[2].room_type.clone()
     };
+    let living_room = |bath: &str, other: &str, area: f64| role(bath, ("living_dining", area), other);
+    let studio = |bath: &str, other: &str, area: f64| role(bath, ("studio", area), other);
     assert_eq!(living_room("bathroom", "bedroom", 26.0), "living_kitchen");
     assert_eq!(living_room("bathroom", "bedroom", 16.0), "living_dining", "no room for a row");
     assert_eq!(living_room("bathroom", "kitchen", 26.0), "living_dining");
-    let studio = |bath: &str, other: &str, area: f64| {
-        let flat = flat(&[("corridor", 6.0), (bath, 4.0), ("studio", area), (other, 4.0)]);
-        rooms(&flat, 1, &catalog)[2].room_type.clone()
-    };
     assert_eq!(studio("bathroom", "storeroom", 20.0), "studio_kitchen");
     assert_eq!(studio("bathroom", "storeroom", 14.0), "studio", "no room for a row");
     assert_eq!(studio("bathroom", "kitchenette", 20.0), "studio");

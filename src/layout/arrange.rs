@@ -64,7 +64,10 @@ fn act(environment: &mut Environment<'_>, agent: AgentIndex, key: &RoomKey) {
         environment.agents[substitute].state = State::Search;
         act(environment, substitute, key);
     }
-    environment.lacking += wanted::lack(environment, agent);
+    // Whoever does not compare it with another room finishes it, however much it lacks.
+    if environment.brief.alternative.gives_up_at.is_some() {
+        environment.lacking += wanted::lack(environment, agent);
+    }
 }
 
 /// Where an agent fits on what is there to carry it but misses what it needs, the two look for a place together: a screen that

@@ -42,7 +42,7 @@ pub(crate) struct Environment<'a> {
     pub(crate) heeds_tags: bool,
     /// How many times the room was furnished before, in other attempts and alternatives.
     pub(crate) turn: usize,
-    /// Pieces that have found no place so far, and steps down for those that others stand in for.
+    /// Pieces that have found no place so far, and steps down for those that others stand in for; zero where nobody asks.
     pub(crate) lacking: u32,
     bodies: Vec<OwnedSolid>,
     body_grid: Grid,
