@@ -15,6 +15,7 @@ mod builtin;
 mod by_id;
 mod check;
 mod class;
+mod class_names;
 mod describe;
 mod digest;
 mod file;
@@ -157,24 +158,5 @@ impl Catalog {
     #[must_use]
     pub fn class_index(&self, id: &str) -> Option<ClassIndex> {
         self.classes.binary_search_by(|class| class.id.as_str().cmp(id)).ok()
-    }
-
-    /// The name of a set of classes (sorted indices) for people: the group of exactly these, or their ids.
-    #[must_use]
-    pub fn class_names(&self, classes: &[ClassIndex]) -> String {
-        let is_whole = |group: &&String| {
-            let has_group = |class: &Class| class.groups.binary_search(group).is_ok();
-            let mut members = (0..self.classes.len()).filter(|&index| has_group(&self.classes[index]));
-            classes.len() > 1
-                && classes.iter().all(|&class| members.next() == Some(class))
-                && members.next().is_none()
-        };
-        let groups = classes.first().map_or(&[][..], |&class| &self.classes[class].groups);
-        match groups.iter().find(is_whole) {
-            Some(group) => group.clone(),
-            None => {
-                classes.iter().map(|&class| self.classes[class].id.as_str()).collect::<Vec<_>>().join(", ")
-            }
-        }
     }
 }
