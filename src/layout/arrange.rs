@@ -60,6 +60,11 @@ fn act(environment: &mut Environment<'_>, agent: AgentIndex, key: &RoomKey) {
     };
     environment.agents[agent].state = State::Removed(reason);
     environment.is_exhausted[environment.agents[agent].piece.class] = true;
+    let idle = wanted::idle_carriers(environment, agent);
+    for &carrier in &idle {
+        send_away(environment, carrier);
+        environment.agents[carrier].state = State::Unasked;
+    }
     if let Some(substitute) = wanted::next_substitute(environment, agent) {
         environment.agents[substitute].state = State::Search;
         act(environment, substitute, key);
@@ -67,6 +72,9 @@ fn act(environment: &mut Environment<'_>, agent: AgentIndex, key: &RoomKey) {
     // Whoever does not compare it with another room finishes it, however much it lacks.
     if environment.brief.alternative.gives_up_at.is_some() {
         environment.lacking += wanted::lack(environment, agent);
+    }
+    if !idle.is_empty() {
+        wanted::ask_missed(environment);
     }
 }
 

@@ -10,6 +10,7 @@ use super::locked::is_locked;
 use super::movement::{family, send_away};
 use super::place::AgentIndex;
 use super::seed::RoomKey;
+use super::wanted;
 
 /// Cosine of the angle by which neighbours in a row may differ: untidy styles turn them a little.
 const SAME_WAY: f64 = 0.95;
@@ -18,7 +19,7 @@ const APART: f64 = 0.1;
 
 /// Takes away what is there to carry something that found no place on it, and what needs company and stands alone.
 pub(crate) fn give_back(environment: &mut Environment<'_>, key: &RoomKey) {
-    let useless = (0..environment.agents.len()).filter(|&agent| is_useless(environment, agent));
+    let useless = (0..environment.agents.len()).filter(|&agent| wanted::carries_nothing(environment, agent));
     let mut leaving: Vec<AgentIndex> = useless.collect();
     let alone = alone(environment);
     leaving.extend(&alone);
@@ -33,7 +34,8 @@ pub(crate) fn give_back(environment: &mut Environment<'_>, key: &RoomKey) {
         environment.agents[agent].state = State::Unasked;
     }
     if !leaving.is_empty() {
-        // Who stood on it or by it.
+        wanted::ask_missed(environment);
+        // Who stood on it or by it, and who may have a place now.
         arrange(environment, key);
     }
 }
@@ -78,20 +80,10 @@ fn would_follow(environment: &Environment<'_>, others: &[AgentIndex], agent: Age
     piece.is_fill && is_without_place && others.iter().any(is_of_class)
 }
 
-fn is_useless(environment: &Environment<'_>, agent: AgentIndex) -> bool {
-    let carries = &environment.class(agent).carries;
-    let stands_on_it = |&child: &AgentIndex| carries.contains(&environment.agents[child].piece.class);
-    !carries.is_empty()
-        && environment.agents[agent].rest().is_some()
-        && !environment.agents[agent].piece.is_required
-        && !is_locked(environment, agent)
-        && !environment.agents[agent].children.iter().any(stands_on_it)
-}
-
 #[cfg(test)]
 mod tests {
     use crate::catalog::{
-        Along, Catalog, Count, Grid, ParentName, Relation, RelationKind, Side, Turn, Untidiness,
+        Along, Catalog, Class, Count, Grid, ParentName, Relation, RelationKind, Side, Size, Turn, Untidiness,
     };
     use crate::geometry::{Point, direction};
     use crate::layout::Placement;
@@ -163,12 +155,11 @@ mod tests {
         assert_eq!(lone_seats(true), (0, 6));
     }
 
-    #[test]
-    fn a_stand_on_which_nothing_stands_is_given_back() {
-        let mut catalog = catalog(&[(DESK, Count::Fixed(1)), (LAMP, Count::Fixed(1))], Untidiness::default());
+    /// A stand, and what is to stand on it but needs a shelf that is not there.
+    fn stand_for_nothing(further: &[(usize, Count)]) -> Catalog {
+        let programme = [&[(DESK, Count::Fixed(1)), (LAMP, Count::Fixed(1))], further].concat();
+        let mut catalog = catalog(&programme, Untidiness::default());
         catalog.classes[DESK].carries = vec![LAMP];
-        assert_eq!(run(&level(WIDE), &catalog, 1).placements.len(), 2);
-        // It needs a shelf that is not there.
         let shelf = ParentName::Classes(vec![SHELF]);
         catalog.classes[LAMP].relations = vec![Relation {
             kind: RelationKind::Near,
@@ -178,8 +169,32 @@ mod tests {
             weight: 1.0,
             is_needed: true,
         }];
+        catalog
+    }
+
+    #[test]
+    fn a_stand_on_which_nothing_stands_is_given_back() {
+        let mut catalog = stand_for_nothing(&[]);
         let furnished = run(&level(WIDE), &catalog, 1);
         let missing: Vec<usize> = furnished.removals.iter().map(|removal| removal.class).collect();
         assert_eq!((furnished.placements.len(), missing), (0, vec![LAMP]), "the stand is not missed");
+        catalog.classes[LAMP].relations.clear();
+        assert_eq!(run(&level(WIDE), &catalog, 1).placements.len(), 2);
+    }
+
+    #[test]
+    fn who_found_no_place_beside_a_stand_that_is_given_back_has_one_then() {
+        let mut catalog = stand_for_nothing(&[(SHELF + 1, Count::Fixed(1))]);
+        let size = Size { width: 5.0, depth: 3.8, height: 0.7 };
+        let on_floor = rule(ParentName::Floor, &[Side::Above], Turn::Parallel, Along::Random);
+        let table = Class { sizes: vec![size], parents: vec![on_floor], ..catalog.classes[SHELF].clone() };
+        catalog.classes.push(Class { id: "table".to_owned(), ..table });
+        catalog.classes[DESK].priority = 1;
+        let classes = |catalog: &Catalog| -> Vec<usize> {
+            run(&level(WIDE), catalog, 1).placements.iter().map(|placement| placement.class).collect()
+        };
+        assert_eq!(classes(&catalog), [SHELF + 1]);
+        catalog.classes[LAMP].relations.clear();
+        assert_eq!(classes(&catalog), [DESK, LAMP], "they leave it no room");
     }
 }

@@ -1,7 +1,7 @@
 //! Which agents are asked for: what stands in for a piece without a place, and what waits for the piece that it belongs to.
 //! Not in the paper.
 
-use super::agent::State;
+use super::agent::{Agent, State};
 use super::environment::Environment;
 use super::locked::is_locked;
 use super::place::AgentIndex;
@@ -139,6 +139,40 @@ pub(crate) fn movable_carrier(environment: &Environment<'_>, agent: AgentIndex) 
             && !environment.has_required(other)
             && !is_locked(environment, other)
     })
+}
+
+/// Whether an agent is there to carry something, nothing of that stands on it, and the room can do without it.
+pub(crate) fn carries_nothing(environment: &Environment<'_>, agent: AgentIndex) -> bool {
+    let carries = &environment.class(agent).carries;
+    let stands_on_it = |&child: &AgentIndex| carries.contains(&environment.agents[child].piece.class);
+    !carries.is_empty()
+        && environment.agents[agent].rest().is_some()
+        && !environment.agents[agent].piece.is_required
+        && !is_locked(environment, agent)
+        && !environment.agents[agent].children.iter().any(stands_on_it)
+}
+
+/// The pieces that were there to carry an agent without a place and have nothing else to carry: nor do they wait for it.
+pub(crate) fn idle_carriers(environment: &Environment<'_>, agent: AgentIndex) -> Vec<AgentIndex> {
+    let class = environment.agents[agent].piece.class;
+    let is_idle = |&other: &AgentIndex| {
+        let carries = &environment.class(other).carries;
+        let waits_for = |load: &Agent| load.state == State::Search && carries.contains(&load.piece.class);
+        carries.contains(&class)
+            && carries_nothing(environment, other)
+            && !environment.agents.iter().any(waits_for)
+    };
+    (0..environment.agents.len()).filter(is_idle).collect()
+}
+
+/// Lets those search again that found no place, but for those who were sent away themselves: there is more room now.
+pub(crate) fn ask_missed(environment: &mut Environment<'_>) {
+    for agent in 0..environment.agents.len() {
+        if is_missed(environment, agent) && !environment.agents[agent].is_in_the_way {
+            environment.lacking = environment.lacking.saturating_sub(lack(environment, agent));
+            environment.agents[agent].state = State::Search;
+        }
+    }
 }
 
 #[cfg(test)]
