@@ -1,6 +1,6 @@
 //! The programme of a room: which pieces it asks for (sections 4.2 and 6.2: counts depend on room size).
 
-use crate::catalog::{Catalog, Class, ClassIndex, Count, ParentName, Request, RoomType, Style};
+use crate::catalog::{Catalog, Class, ClassIndex, Count, ParentName, ParentRule, Request, RoomType, Style};
 use crate::geometry::Point;
 
 use crate::plan::Home;
@@ -76,13 +76,14 @@ pub(crate) fn stands_for(catalog: &Catalog, class: ClassIndex, other: ClassIndex
     class == other || catalog.classes[class].groups.contains(&catalog.classes[other].id)
 }
 
-/// Whether a class may stand at any wall or anywhere on the floor, as a garden chair does.
+/// Whether a class may stand at any wall or anywhere on the floor, as a garden chair does. A rug lies under something.
 fn stands_by_itself(class: &Class) -> bool {
-    class.parents.iter().any(|rule| match rule.parent {
+    let is_free = |rule: &ParentRule| match rule.parent {
         ParentName::Floor => true,
         ParentName::Wall => rule.tag.is_none(),
         _ => false,
-    })
+    };
+    class.covers.is_empty() && class.parents.iter().any(is_free)
 }
 
 /// The pieces of a room that are drawn so far.

@@ -221,6 +221,17 @@ mod tests {
     }
 
     #[test]
+    fn a_rug_without_the_desk_that_it_lies_under_is_not_asked_for() {
+        let programme = [(DESK, Count::Fixed(1)), (LAMP, Count::PerPiece(DESK, 1.0))];
+        let mut catalog = catalog(&programme, Untidiness::default());
+        let rug = &mut catalog.classes[LAMP];
+        rug.covers = vec![DESK];
+        rug.parents = vec![rule(ParentName::Floor, &[Side::Above], Turn::Parallel, Along::Random)];
+        let furnished = run(&level(NARROW), &catalog, 1);
+        assert_eq!(names(&catalog, &furnished), (vec![], vec!["desk".to_owned()]));
+    }
+
+    #[test]
     fn an_optional_piece_without_a_place_is_replaced_by_the_next_of_its_line() {
         let programme = [(DESK, Count::Fixed(1)), (LAMP, Count::PerPiece(SHELF, 1.0))];
         let mut catalog = catalog(&programme, Untidiness::default());
