@@ -202,6 +202,8 @@ fn act_all(environment: &mut Environment<'_>, key: &RoomKey, is_first: bool) -> 
     if environment.is_given_up() {
         return 0;
     }
+    wanted::ask_missed(environment);
+    arrange::arrange(environment, key);
     // Who is sent away from here on searches among all that rest.
     let lacks_turn = style.access == Access::Wheelchair && turning::lacks_turn(environment, key);
     let closed_ways = ways::clear_ways(environment, key, is_first);
