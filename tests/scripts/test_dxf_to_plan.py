@@ -198,6 +198,19 @@ class TestOpenings:
         door = self.door(read(folder, drawing), 1.45, 4)
         assert (door["width"], door["hinge"]) == (0.9, "left")
 
+    def test_a_block_that_is_stretched_to_the_width_of_its_door_is_a_leaf_too(self, folder):
+        drawing = flat()
+        space = drawing.modelspace()
+        for entity in space.query('ARC[layer=="A-DOOR"]'):
+            if entity.dxf.center.x == 1000:
+                space.delete_entity(entity)
+        block = drawing.blocks.new("UNIT_DOOR")
+        block.add_arc((0, 0), 900, -90, 0)
+        block.add_line((0, 0), (0, -900))
+        space.add_blockref("UNIT_DOOR", (1000, 4000), dxfattribs={"layer": "A-DOOR", "xscale": 1.2})
+        door = self.door(read(folder, drawing), 1.54, 4)
+        assert (door["width"], door["hinge"]) == (pytest.approx(1.08), "left")
+
 
 def test_columns_and_walls_in_a_room_are_obstacles_and_contours_are_none(plan):
     outlines = sorted((Polygon(column["outline"]) for column in level_of(plan)["columns"]), key=lambda outline: outline.area)

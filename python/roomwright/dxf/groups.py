@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from ezdxf.entities.arc import Arc
 from ezdxf.entities.dxfgfx import DXFGraphic
+from ezdxf.entities.ellipse import Ellipse
 from ezdxf.entities.lwpolyline import LWPolyline
 from ezdxf.entities.polyline import Polyline
 from shapely import MultiLineString, MultiPoint, STRtree, union_all
@@ -19,13 +20,16 @@ from .shapes import MARKS, Point, Scale, ShapeError, shapes_of
 # Metres between entities of one opening.
 TOUCHING = 0.02
 
+# The swing of a leaf. In a block that is stretched to the width of its door, a circle is an ellipse.
+Swing = Arc | Ellipse
+
 
 @dataclass(frozen=True)
 class Group:
     """What one or more openings are drawn of."""
 
     lines: tuple[tuple[Point, ...], ...]
-    arcs: tuple[tuple[Arc, Place], ...]
+    arcs: tuple[tuple[Swing, Place], ...]
     place: Place
 
     @property
@@ -57,7 +61,7 @@ def groups_of(found: Iterable[Drawn], scale: Scale, report: Report) -> list[Grou
 def group_of(drawn: Drawn, scale: Scale) -> Group | str | None:
     """What an entity is drawn of; None for texts and the like, a reason for what has no shape."""
     lines: list[tuple[Point, ...]] = []
-    arcs: list[tuple[Arc, Place]] = []
+    arcs: list[tuple[Swing, Place]] = []
     reason = None
     parts = parts_of(drawn)
     for part in parts:
@@ -71,9 +75,9 @@ def group_of(drawn: Drawn, scale: Scale) -> Group | str | None:
     return None if reason is None and parts else reason or "the block is empty"
 
 
-def arcs_of(part: DXFGraphic) -> list[Arc]:
+def arcs_of(part: DXFGraphic) -> list[Swing]:
     """An arc, or the arcs of a polyline with bulges."""
-    if isinstance(part, Arc):
+    if isinstance(part, (Arc, Ellipse)):
         return [part]
     if isinstance(part, (LWPolyline, Polyline)) and part.has_arc:
         return [piece for piece in part.virtual_entities() if isinstance(piece, Arc)]

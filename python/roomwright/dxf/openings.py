@@ -17,13 +17,13 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
-from ezdxf.entities.arc import Arc
+from ezdxf.entities.ellipse import Ellipse
 from shapely import LineString, MultiPoint, Polygon, STRtree
 from shapely import Point as Location
 
 from .drawing import Drawn
 from .faults import Place, Report
-from .groups import Group, groups_of
+from .groups import Group, Swing, groups_of
 from .rooms import Room
 from .shapes import FARTHEST, Point, Scale
 
@@ -147,12 +147,14 @@ def openings_of_group(group: Group, role: str, rooms: Rooms, scale: Scale) -> li
     return [Opening(kind, middle, along, width, group.place)]
 
 
-def leaf_of(arc: Arc, place: Place, rooms: Rooms, scale: Scale) -> Leaf | None:
+def leaf_of(arc: Swing, place: Place, rooms: Rooms, scale: Scale) -> Leaf | None:
     """The leaf that an arc is the swing of, or None where no leaf is so wide or swings so far."""
-    center = arc.ocs().to_wcs(arc.dxf.center)
+    if isinstance(arc, Ellipse):
+        center, sweep = arc.dxf.center, (arc.dxf.end_param - arc.dxf.start_param) % math.tau
+    else:
+        center, sweep = arc.ocs().to_wcs(arc.dxf.center), math.radians(arc.dxf.end_angle - arc.dxf.start_angle) % math.tau
     ends = [scale.point(end.x, end.y) for end in (arc.start_point, arc.end_point)]
     hinge = scale.point(center.x, center.y)
-    sweep = math.radians(arc.dxf.end_angle - arc.dxf.start_angle) % math.tau
     numbers = [*hinge, *ends[0], *ends[1], sweep]
     if not all(abs(number) <= FARTHEST for number in numbers):
         return None
