@@ -21,7 +21,7 @@ use super::properties::tags_of;
 use super::streets::is_street;
 use super::syntax::fault_of;
 use crate::document::{Faults, Source};
-use crate::plan::read::geojson::reference_system;
+use crate::plan::read::geojson::{as_collection, reference_system};
 
 /// Metres of a storey that OSM Buildings takes where it knows none: its heights are storeys times this, at least one.
 const OSM_BUILDINGS_STOREY: f64 = 4.0;
@@ -29,7 +29,7 @@ const OSM_BUILDINGS_STOREY: f64 = 4.0;
 const ID_KEYS: [&str; 9] =
     ["@id", "id", "full_id", "osm_way_id", "osm_id", "gml_id", "uuid", "building_id", "fid"];
 
-/// The outermost object: a collection, or one feature of a text with a feature on each line.
+/// The outermost object: a collection, or a feature.
 #[derive(Deserialize)]
 struct Collection<'a> {
     #[serde(borrow)]
@@ -42,10 +42,10 @@ struct Collection<'a> {
 /// # Errors
 /// Faults of syntax, at their places.
 pub(super) fn read(path: &Path) -> Result<(Drawing, SiteNotes), Faults> {
-    let source = Source::read(path)?;
+    let source = as_collection(Source::read(path)?);
     let mut reading = Reading::default();
     let mut count = 0;
-    // One collection, or one feature after the other.
+    // One collection, or several one after the other.
     for value in Deserializer::from_str(source.text()).into_iter::<&RawValue>() {
         let value = value.map_err(|error| fault_of(&source, &error))?;
         let collection: Collection =

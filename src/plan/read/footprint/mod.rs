@@ -36,6 +36,7 @@ use std::path::Path;
 
 pub use notes::SiteNotes;
 pub(crate) use projection::{Projection, code_of};
+pub(super) use properties::hstore;
 pub(crate) use recognise::{FootprintFormat, recognises};
 
 use crate::document::{Fault, Faults, Source};

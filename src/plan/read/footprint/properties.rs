@@ -47,7 +47,7 @@ fn add(tags: &mut Tags, key: String, value: Value) {
 }
 
 /// The pairs of a text such as `"building:levels"=>"5","roof:shape"=>"flat"`.
-fn hstore(text: &str) -> impl Iterator<Item = (&str, &str)> {
+pub(crate) fn hstore(text: &str) -> impl Iterator<Item = (&str, &str)> {
     text.split("\",\"").filter_map(|pair| {
         let (key, value) = pair.split_once("\"=>\"")?;
         Some((key.trim_start_matches('"'), value.trim_end_matches('"')))

@@ -13,6 +13,8 @@
 
 mod feature;
 mod place;
+mod sequence;
 
 pub(super) use feature::{Feature, Geometry, Position, Table, read_table, reference_system};
 pub(super) use place::{corners_of, outlines, plane_around, plane_of, points};
+pub(super) use sequence::{RECORD_SEPARATOR, as_collection};

@@ -1,4 +1,5 @@
-//! GeoJSON with the tags as properties: exports of Overpass, JOSM and osmtogeojson.
+//! GeoJSON with the tags as properties: exports of Overpass, JOSM, osmtogeojson and osmium. Other exports have the tags in a table
+//! `tags`, or those without a column of their own as a text (`other_tags`).
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -10,7 +11,8 @@ use serde_json::Value;
 use super::mapped::{Mapped, Shape, Tags, is_wanted};
 use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source};
 use crate::geometry::Point;
-use crate::plan::read::geojson::{Geometry, Position};
+use crate::plan::read::footprint::hstore;
+use crate::plan::read::geojson::{Geometry, Position, as_collection};
 use crate::plan::read::rings::Rings;
 
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -26,12 +28,17 @@ struct Feature {
     properties: Option<BTreeMap<String, Value>>,
 }
 
+/// The property that holds the tags without a column of their own, as `"key"=>"value"`: an export of GDAL.
+pub(super) const OTHER_TAGS: &str = "other_tags";
+/// The property that holds all tags as a table.
+const TAGS: &str = "tags";
+
 /// Reads a file: its text, and the elements that plans are made of.
 ///
 /// # Errors
 /// All faults of the file, each at its place.
 pub(super) fn read(path: &Path) -> Result<(Source, Vec<Mapped>), Faults> {
-    let source = Source::read(path)?;
+    let source = as_collection(Source::read(path)?);
     let collection: Collection = source.parse()?;
     let mapped = collection
         .features
@@ -51,22 +58,39 @@ pub(super) fn fault_of(source: &Source, place: u64, message: &str) -> Fault {
 
 fn mapped(feature: Feature, place: u64) -> Option<Mapped> {
     let properties = feature.properties?;
-    if !properties.keys().any(|key| is_wanted(key)) {
+    let id = id_of(feature.id.as_ref(), &properties).unwrap_or_else(|| format!("f{place}"));
+    let tags = tags_of(properties);
+    if !tags.keys().any(|key| is_wanted(key)) {
         return None;
     }
-    let id = id_of(feature.id.as_ref(), &properties).unwrap_or_else(|| format!("f{place}"));
-    let shape = match feature.geometry? {
-        Geometry::Point { coordinates } => Shape::Point(point(&coordinates)),
-        Geometry::LineString { coordinates } => Shape::Line(line(&coordinates)),
-        Geometry::Polygon { coordinates } => Shape::Areas(vec![rings(&coordinates)]),
-        Geometry::MultiPolygon { coordinates } => {
+    let shape = match feature.geometry {
+        Some(Geometry::Point { coordinates }) => Shape::Point(point(&coordinates)),
+        Some(Geometry::LineString { coordinates }) => Shape::Line(line(&coordinates)),
+        Some(Geometry::Polygon { coordinates }) => Shape::Areas(vec![rings(&coordinates)]),
+        Some(Geometry::MultiPolygon { coordinates }) => {
             Shape::Areas(coordinates.iter().map(|polygon| rings(polygon)).collect())
         }
-        Geometry::Other => return None,
+        // Left out where it is sorted, as a room without an outline.
+        Some(Geometry::Other) | None => Shape::Line(Vec::new()),
     };
-    let tags: Tags =
-        properties.into_iter().filter_map(|(key, value)| Some((key, text_of(&value)?))).collect();
     Some(Mapped { id, place, tags, shape })
+}
+
+/// The tags of a feature, wherever it has them.
+fn tags_of(properties: BTreeMap<String, Value>) -> Tags {
+    let mut tags = Tags::new();
+    for (key, value) in properties {
+        match value {
+            Value::Object(nested) if key == TAGS => {
+                tags.extend(nested.into_iter().filter_map(|(key, value)| Some((key, text_of(&value)?))));
+            }
+            Value::String(pairs) if key == OTHER_TAGS => {
+                tags.extend(hstore(&pairs).map(|(key, value)| (key.to_owned(), value.to_owned())));
+            }
+            value => tags.extend(text_of(&value).map(|text| (key, text))),
+        }
+    }
+    tags
 }
 
 fn text_of(value: &Value) -> Option<String> {

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::geojson::OTHER_TAGS;
 use super::mapped::SPACE_WORDS;
 use crate::plan::read::foreign::head;
 use crate::plan::read::osm::{Element, ElementKind, Elements, PbfFile};
@@ -35,10 +36,13 @@ pub(super) fn recognises(path: &Path) -> Option<SitFormat> {
         return is_of_rooms(counts(&text, ["k=\"indoor\"", "k=\"building\""], "v="))
             .then_some(SitFormat::Xml);
     }
-    if !sample.is_object() || !sample.is_geojson() {
+    if !sample.is_object() || !(sample.is_geojson() || sample.says("type", "Feature")) {
         return None;
     }
-    let text = String::from_utf8_lossy(&head(path, TEXT_SIZE)).into_owned();
+    let mut text = String::from_utf8_lossy(&head(path, TEXT_SIZE)).into_owned();
+    if text.contains(OTHER_TAGS) {
+        text = text.replace("\\\"", "\"").replace("=>", ":");
+    }
     let is_other = sample.holds_one_of(&["\"feature_type\"", "\"floor_id\""]);
     (!is_other && is_of_rooms(counts(&text, ["\"indoor\"", "\"building\""], ":")))
         .then_some(SitFormat::GeoJson)

@@ -158,3 +158,86 @@ fn a_map_of_buildings_with_hardly_a_room_is_no_plan_of_rooms() {
     assert!(of(1, 0) && of(1, 100) && of(20, 5));
     assert!(!of(0, 3) && !of(1, 101));
 }
+
+/// A room and the corridor beside it with a door between, as features; `tagged` makes the properties of the tags of each.
+fn features(tagged: &dyn Fn(serde_json::Value) -> serde_json::Value) -> Vec<serde_json::Value> {
+    let (south, door_at, north) = (47.0, 47.00001, 47.00004);
+    let (west, middle, east) = (7.0, 7.00005, 7.0001);
+    let area = |ring: &[[f64; 2]]| serde_json::json!({"type": "Polygon", "coordinates": [ring]});
+    let room =
+        [[west, south], [middle, south], [middle, door_at], [middle, north], [west, north], [west, south]];
+    let corridor =
+        [[middle, south], [east, south], [east, north], [middle, north], [middle, door_at], [middle, south]];
+    let feature = |geometry: serde_json::Value, tags: serde_json::Value| serde_json::json!({"type": "Feature", "geometry": geometry, "properties": tagged(tags)});
+    let door = serde_json::json!({"type": "Point", "coordinates": [middle, door_at]});
+    vec![
+        feature(area(&room), serde_json::json!({"indoor": "room", "room": "office", "level": "1"})),
+        feature(area(&corridor), serde_json::json!({"indoor": "corridor", "level": 1})),
+        feature(door, serde_json::json!({"door": "hinged", "level": "1"})),
+    ]
+}
+
+/// What is read of a text as a map in GeoJSON.
+fn geojson(text: &str) -> ReadBuildings {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("map.geojson");
+    std::fs::write(&path, text).unwrap();
+    assert!(recognises(&path).is_some(), "{text}");
+    read(&path, &words()).unwrap_or_else(|faults| panic!("{faults}"))
+}
+
+fn collection(features: &[serde_json::Value]) -> String {
+    serde_json::json!({"type": "FeatureCollection", "features": features}).to_string()
+}
+
+#[test]
+fn tags_are_read_wherever_an_export_has_them() {
+    let text = |value: &serde_json::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+    let pairs = |tags: &serde_json::Value| -> Vec<String> {
+        let tags = tags.as_object().expect("tags");
+        tags.iter().map(|(key, value)| format!("\"{key}\"=>\"{}\"", text(value))).collect()
+    };
+    let lines = |features: Vec<serde_json::Value>, before: &str| -> String {
+        features.iter().map(|feature| format!("{before}{feature}\n")).collect()
+    };
+    let maps = [
+        collection(&features(&|tags| tags)),
+        collection(&features(&|tags| serde_json::json!({"type": "way", "tags": tags, "meta": {}}))),
+        collection(&features(
+            &|tags| serde_json::json!({"osm_id": null, "other_tags": pairs(&tags).join(",")}),
+        )),
+        lines(features(&|tags| tags), ""),
+        lines(features(&|tags| tags), "\u{1e}"),
+    ];
+    for map in maps {
+        let read = geojson(&map);
+        assert!(read.faults.is_empty(), "{map}: {}", read.faults);
+        let found: Vec<_> = levels(&read)
+            .map(|level| {
+                (
+                    level.id.as_str(),
+                    level.rooms[0].room_type.as_str(),
+                    level.rooms.len(),
+                    level.openings.len(),
+                )
+            })
+            .collect();
+        assert_eq!(found, [("level_1", "office", 2, 1)], "{map}");
+    }
+}
+
+#[test]
+fn a_room_whose_geometry_is_none_of_an_area_is_told() {
+    for geometry in [
+        serde_json::json!(null),
+        serde_json::json!({"type": "GeometryCollection", "geometries": []}),
+        serde_json::json!({"type": "MultiLineString", "coordinates": [[[7, 47], [7.1, 47]]]}),
+    ] {
+        let mut features = features(&|tags| tags);
+        features.push(serde_json::json!({"type": "Feature", "id": "r9", "geometry": geometry,
+            "properties": {"indoor": "room", "level": "1"}}));
+        let told = messages(&geojson(&collection(&features)));
+        assert!(told.contains("r9 is a room without a closed outline"), "{told}");
+        assert!(told.contains("features[3]"), "{told}");
+    }
+}
