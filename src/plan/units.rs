@@ -50,6 +50,13 @@ pub(crate) fn length_of_words(words: &str) -> Option<f64> {
     Some(number * factor)
 }
 
+/// Longitude and latitude in degrees of a place on the map of the web (spherical Mercator), whose metres are those of the ground at the
+/// equator alone: at 60° of latitude a metre of the ground is two of its own.
+pub(crate) fn degrees_of_web_mercator(place: Point) -> Point {
+    let angles = place / EQUATOR_RADIUS;
+    Point::new(angles.x.to_degrees(), libm::atan(libm::sinh(angles.y)).to_degrees())
+}
+
 /// Metres of a unit as energy models name it, in the plural: `Meters`, `Millimeters`, `Feet`, `Inches`, `Centimeters`.
 pub(crate) fn model_unit(word: &str) -> Option<f64> {
     match word.to_ascii_lowercase().as_str() {

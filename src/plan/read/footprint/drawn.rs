@@ -19,6 +19,22 @@ pub(super) struct Drawing {
     pub(super) streets: Vec<Vec<Point>>,
 }
 
+impl Drawing {
+    /// The map with all places as `moved` has them, in another reference system.
+    pub(super) fn moved(mut self, reference_system: &str, moved: impl Fn(Point) -> Point) -> Self {
+        let mut move_all =
+            |places: &mut Vec<Point>| places.iter_mut().for_each(|place| *place = moved(*place));
+        for area in self.buildings.iter_mut().flat_map(|drawn| &mut drawn.areas) {
+            move_all(&mut area.outer);
+            area.holes.iter_mut().for_each(&mut move_all);
+        }
+        move_all(&mut self.entrances);
+        self.streets.iter_mut().for_each(&mut move_all);
+        self.reference_system = Some(reference_system.to_owned());
+        self
+    }
+}
+
 /// A building or a part of one.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Drawn {

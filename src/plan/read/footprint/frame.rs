@@ -7,7 +7,7 @@ use super::projection::{Projection, code_of};
 use crate::document::Fault;
 use crate::geometry::{Bounds, Point};
 use crate::plan::limits::median;
-use crate::plan::units::{LocalPlane, US_FOOT};
+use crate::plan::units::{LocalPlane, US_FOOT, degrees_of_web_mercator};
 use crate::storey::Origin;
 
 /// The name of longitude and latitude where the file has none.
@@ -43,6 +43,17 @@ pub(super) enum Frame {
         /// The projection of the map, where it is known.
         projection: Option<Projection>,
     },
+}
+
+/// The map as it is read: one in the metres of the map of the web in degrees, for they are longer than metres of the ground.
+pub(super) fn in_true_metres(drawing: Drawing) -> Drawing {
+    let code = drawing.reference_system.as_deref().and_then(code_of);
+    match code.map(Projection::of) {
+        Some(projection) if projection.is_web_mercator() => {
+            drawing.moved(LONGITUDE_LATITUDE, degrees_of_web_mercator)
+        }
+        _ => drawing,
+    }
 }
 
 impl Frame {
@@ -105,13 +116,12 @@ impl Frame {
     }
 
     /// What has to be assumed of the map, in words.
-    pub(super) fn assumed(&self) -> Option<String> {
-        match self {
-            Self::Metres { projection: Some(Projection::Unknown(code)), .. } => {
-                Some(format!("EPSG:{code} is not known: its lengths are taken as metres"))
-            }
-            _ => None,
-        }
+    pub(super) fn assumed(&self, drawing: &Drawing) -> Option<String> {
+        let name = match self {
+            Self::Metres { projection: Some(Projection::Unknown(_)) | None, .. } => self.name_of(drawing)?,
+            _ => return None,
+        };
+        Some(format!("{name} is not known: its lengths are taken as metres"))
     }
 
     /// Whether the map is in degrees.

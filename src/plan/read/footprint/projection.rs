@@ -14,6 +14,9 @@ const DEGREE_PARTS: f64 = 1e7;
 /// Longitude and latitude on WGS 84.
 const DEGREES: &str = "+proj=longlat +datum=WGS84";
 
+/// The map of the web: the number of today, then earlier ones and those of Esri.
+const WEB_MERCATOR: [u32; 5] = [3857, 900_913, 3785, 102_100, 102_113];
+
 /// A reference system, by its number in the register of EPSG.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Projection {
@@ -32,10 +35,16 @@ impl Projection {
     pub(crate) fn of(code: u32) -> Self {
         match code {
             4326 | 4258 | 4979 | 4937 | 6697 | 6668 | 4612 | 4269 | 4283 | 7844 | 4617 => Self::Degrees,
+            _ if WEB_MERCATOR.contains(&code) => Self::Metres(WEB_MERCATOR[0]),
             _ if definition_of(code).is_some() => Self::Metres(code),
             _ if is_in_feet(code) => Self::Feet,
             _ => Self::Unknown(code),
         }
+    }
+
+    /// Whether its metres are longer than those of the ground, so that its lengths cannot be taken as they are.
+    pub(crate) fn is_web_mercator(self) -> bool {
+        self == Self::Metres(WEB_MERCATOR[0])
     }
 
     /// Longitude and latitude of a place in metres; `None` where the system is not in the table, or the place is none of it.
@@ -58,20 +67,27 @@ impl Projection {
 }
 
 /// The number of a reference system by its name: `EPSG:7415`, `urn:ogc:def:crs:EPSG::7415`,
-/// `https://www.opengis.net/def/crs/EPSG/0/7415`; of a compound one that of the plane. `CRS84` is longitude and latitude.
+/// `https://www.opengis.net/def/crs/EPSG/0/7415`; of a compound one that of the plane. `CRS84` is longitude and latitude. Of the
+/// numbers of Esri (`ESRI:102100`) those of the map of the web are known.
 pub(crate) fn code_of(name: &str) -> Option<u32> {
     let name = name.to_ascii_uppercase();
     if name.contains("CRS84") {
         return Some(4326);
     }
-    let numbers = name[name.find("EPSG")? + "EPSG".len()..].split(',').next()?;
-    let mut numbers = numbers.split(|letter: char| !letter.is_ascii_digit()).filter(|part| !part.is_empty());
-    numbers.next_back()?.parse().ok()
+    let number_behind = |register: &str| -> Option<u32> {
+        let numbers = name[name.find(register)? + register.len()..].split(',').next()?;
+        let mut numbers =
+            numbers.split(|letter: char| !letter.is_ascii_digit()).filter(|part| !part.is_empty());
+        numbers.next_back()?.parse().ok()
+    };
+    let of_esri = || number_behind("ESRI").filter(|code| WEB_MERCATOR.contains(code));
+    number_behind("EPSG").or_else(of_esri)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::plan::units::degrees_of_web_mercator;
 
     #[test]
     fn the_number_of_a_reference_system_is_found_in_its_name() {
@@ -83,6 +99,8 @@ mod tests {
             ("https://www.opengis.net/def/crs/EPSG/0/32734", Some(32734)),
             ("urn:ogc:def:crs,crs:EPSG::25832,crs:EPSG::5783", Some(25832)),
             ("urn:ogc:def:crs:OGC:1.3:CRS84", Some(4326)),
+            ("ESRI:102100", Some(102_100)),
+            ("ESRI:102003", None),
             ("EPSG:", None),
             ("EPSG:99999999999", None),
             ("local", None),
@@ -128,5 +146,16 @@ mod tests {
         assert_eq!(count, 331);
         assert_eq!(Projection::of(2263), Projection::Feet);
         assert_eq!(Projection::of(22_263), Projection::Unknown(22_263));
+    }
+
+    #[test]
+    fn the_map_of_the_web_is_known_by_all_its_numbers() {
+        let place = Point::new(951_000.0, 6_003_000.0);
+        for code in WEB_MERCATOR {
+            assert!(Projection::of(code).is_web_mercator());
+            let exact = Projection::of(code).exact_degrees(place).unwrap();
+            assert!((exact - degrees_of_web_mercator(place)).abs().max_element() < 1e-9, "{exact}");
+        }
+        assert!(!Projection::of(25832).is_web_mercator());
     }
 }

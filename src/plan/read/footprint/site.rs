@@ -9,7 +9,7 @@ use super::ReadSite;
 use super::drawn::{Drawing, Drawn};
 use super::entrances::add_entrances;
 use super::facts::Facts;
-use super::frame::Frame;
+use super::frame::{Frame, in_true_metres};
 use super::ids::{id_of_place, unique_ids};
 use super::merge::{Item, Whole, in_pieces, wholes, with_parts};
 use super::notes::{SiteNotes, Split, Unreadable};
@@ -24,13 +24,14 @@ use crate::storey::{Footprint, FootprintPart, Site};
 ///
 /// # Errors
 /// Coordinates that are no degrees although they should be; no building with a usable outline.
-pub(super) fn site_of(mut drawing: Drawing, mut notes: SiteNotes, file: &Path) -> Result<ReadSite, Faults> {
+pub(super) fn site_of(drawing: Drawing, mut notes: SiteNotes, file: &Path) -> Result<ReadSite, Faults> {
+    let mut drawing = in_true_metres(drawing);
     notes.drawn = drawing.buildings.len() + notes.left_out.len() + notes.duplicates.len();
     if drawing.buildings.is_empty() {
         return Err(nothing(notes, file));
     }
     let frame = Frame::of(&drawing, file)?;
-    notes.assumed.extend(frame.assumed());
+    notes.assumed.extend(frame.assumed(&drawing));
     let buildings = std::mem::take(&mut drawing.buildings);
     let cleaned: Vec<Cleaned> = buildings.into_par_iter().map(|drawn| cleaned(drawn, &frame)).collect();
     let Sorted { buildings, parts, shells } = sorted(cleaned, &mut notes);

@@ -54,6 +54,48 @@ fn the_order_of_features_does_not_show() {
 }
 
 #[test]
+fn features_on_lines_are_buildings_with_and_without_record_separators() {
+    let features = [square("", "{}", (5.12, 52.1), SIDE), square("", "null", (5.121, 52.1), SIDE)];
+    let line = |before: &str| -> String {
+        features.iter().map(|feature| format!("{before}{}\n", feature.replace('\n', " "))).collect()
+    };
+    for before in ["", "\u{1e}"] {
+        let read = read("a.geojsonl", line(before)).unwrap();
+        assert_eq!(ids(&read), ["at_52.100050_5.120050", "at_52.100050_5.121050"]);
+    }
+}
+
+#[test]
+fn buildings_on_the_map_of_the_web_are_as_large_as_on_the_ground() {
+    // 12 m by 10 m at 47.37° north, where a metre of the ground is 1.477 of the map.
+    let feature = r#"{"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates":
+        [[[951000, 6003000], [951017.72, 6003000], [951017.72, 6003014.77], [951000, 6003014.77]]]}}"#;
+    for crs in ["urn:ogc:def:crs:EPSG::3857", "EPSG:900913", "ESRI:102100"] {
+        let crs = format!(r#""crs": {{"type": "name", "properties": {{"name": "{crs}"}}}}"#);
+        let text = format!(r#"{{"type": "FeatureCollection", {crs}, "features": [{feature}]}}"#);
+        let found = read("a.geojson", text).unwrap();
+        let size = found.site.footprints[0].region.outline.bounds().size();
+        assert!((size - Point::new(12.0, 10.0)).abs().max_element() < 0.05, "{size}");
+        assert_eq!(found.site.reference_system.as_deref(), Some("EPSG:4326"));
+        assert_eq!(found.notes.assumed, Vec::<String>::new());
+    }
+}
+
+#[test]
+fn lengths_of_a_reference_system_that_is_not_known_are_metres_with_a_warning() {
+    let feature = r#"{"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates":
+        [[[5000, 5000], [5010, 5000], [5010, 5010], [5000, 5010]]]}}"#;
+    for crs in ["EPSG:22263", "urn:local:site-grid"] {
+        let text = format!(
+            r#"{{"type": "FeatureCollection", "crs": {{"properties": {{"name": "{crs}"}}}}, "features": [{feature}]}}"#
+        );
+        let found = read("a.geojson", text).unwrap();
+        assert_eq!(found.notes.assumed, [format!("{crs} is not known: its lengths are taken as metres")]);
+        assert!((found.site.footprints[0].region.area() - 100.0).abs() < 1e-6);
+    }
+}
+
+#[test]
 fn metres_are_read_with_their_reference_system_and_refused_without() {
     let feature = r#"{"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates":
         [[[-8210.5, -34520], [-8200.5, -34520], [-8200.5, -34510], [-8210.5, -34510]]]}}"#;

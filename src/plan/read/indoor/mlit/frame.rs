@@ -31,7 +31,7 @@ impl Frame {
             None => true,
             Some(name) => match code_of(name).map(Projection::of) {
                 Some(Projection::Degrees) => true,
-                Some(Projection::Metres(_)) => false,
+                Some(projection @ Projection::Metres(_)) if !projection.is_web_mercator() => false,
                 _ => {
                     let message = format!("the reference system \"{name}\" is not read");
                     return Err((
