@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use schemars::JsonSchema;
-use serde::Deserialize;
-use serde_json::Value;
+use serde::{Deserialize, Deserializer};
+use serde_json::{Number, Value};
 
 use crate::document::{Faults, Source};
 
@@ -22,9 +22,44 @@ pub(crate) struct Collection<P> {
 /// One feature.
 #[derive(Debug, Deserialize, JsonSchema)]
 pub(crate) struct Feature<P> {
+    #[serde(deserialize_with = "id")]
+    #[schemars(with = "Id")]
     pub(crate) id: String,
     pub(crate) geometry: Option<Geometry>,
     pub(crate) properties: P,
+}
+
+/// An id as files have it: RFC 7946 allows numbers.
+#[derive(Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub(crate) enum Id {
+    Text(String),
+    Number(Number),
+}
+
+impl From<Id> for String {
+    fn from(id: Id) -> Self {
+        match id {
+            Id::Text(text) => text,
+            Id::Number(number) => number.to_string(),
+        }
+    }
+}
+
+/// Reads an id, for `deserialize_with`; its schema is that of [`Id`].
+pub(crate) fn id<'de, D: Deserializer<'de>>(value: D) -> Result<String, D::Error> {
+    Id::deserialize(value).map(Into::into)
+}
+
+/// Reads an id that may be `null`; absent ones need `default`.
+pub(crate) fn optional_id<'de, D: Deserializer<'de>>(value: D) -> Result<Option<String>, D::Error> {
+    Option::<Id>::deserialize(value).map(|id| id.map(Into::into))
+}
+
+/// Reads a list of ids that may be `null`; absent ones need `default`.
+pub(crate) fn optional_ids<'de, D: Deserializer<'de>>(value: D) -> Result<Option<Vec<String>>, D::Error> {
+    let ids = Option::<Vec<Id>>::deserialize(value)?;
+    Ok(ids.map(|ids| ids.into_iter().map(Into::into).collect()))
 }
 
 /// Longitude and latitude in degrees, perhaps a height.

@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use schemars::JsonSchema;
-use serde::Deserialize;
+use serde::{Deserialize, Deserializer};
 
 use crate::document::Faults;
-use crate::plan::read::geojson::{Feature, Table, read_table};
+use crate::plan::read::geojson::{Feature, Id, Table, id, optional_id, optional_ids, read_table};
 
 /// Text by language.
 pub(super) type Labels = BTreeMap<String, Option<String>>;
@@ -22,8 +22,11 @@ pub(super) struct BuildingProperties {
 #[derive(Debug, Deserialize, JsonSchema)]
 pub(super) struct LevelProperties {
     /// 0 is the ground floor.
+    #[serde(deserialize_with = "whole")]
     pub(super) ordinal: i32,
     pub(super) name: Option<Labels>,
+    #[serde(default, deserialize_with = "optional_ids")]
+    #[schemars(with = "Option<Vec<Id>>")]
     pub(super) building_ids: Option<Vec<String>>,
 }
 
@@ -31,6 +34,8 @@ pub(super) struct LevelProperties {
 #[derive(Debug, Deserialize, JsonSchema)]
 pub(super) struct UnitProperties {
     pub(super) category: String,
+    #[serde(deserialize_with = "id")]
+    #[schemars(with = "Id")]
     pub(super) level_id: String,
     pub(super) name: Option<Labels>,
 }
@@ -38,6 +43,8 @@ pub(super) struct UnitProperties {
 /// Properties of an opening.
 #[derive(Debug, Deserialize, JsonSchema)]
 pub(super) struct OpeningProperties {
+    #[serde(deserialize_with = "id")]
+    #[schemars(with = "Id")]
     pub(super) level_id: String,
     pub(super) door: Option<Door>,
 }
@@ -52,6 +59,8 @@ pub(super) struct Door {
 /// Properties of an anchor: where an occupant is.
 #[derive(Debug, Deserialize, JsonSchema)]
 pub(super) struct AnchorProperties {
+    #[serde(default, deserialize_with = "optional_id")]
+    #[schemars(with = "Option<Id>")]
     pub(super) unit_id: Option<String>,
 }
 
@@ -60,7 +69,16 @@ pub(super) struct AnchorProperties {
 pub(super) struct OccupantProperties {
     pub(super) name: Option<Labels>,
     pub(super) category: Option<String>,
+    #[serde(default, deserialize_with = "optional_id")]
+    #[schemars(with = "Option<Id>")]
     pub(super) anchor_id: Option<String>,
+}
+
+/// A whole number, also as programs write it that have no others than fractions: `1.0`.
+fn whole<'de, D: Deserializer<'de>>(value: D) -> Result<i32, D::Error> {
+    let number = f64::deserialize(value)?;
+    let is_whole = number.fract() == 0.0 && number.abs() <= f64::from(i32::MAX);
+    is_whole.then_some(number as i32).ok_or_else(|| serde::de::Error::custom("is no whole number"))
 }
 
 /// Reads `<name>.geojson` of a folder.

@@ -8,9 +8,9 @@ use super::{read, recognises};
 use crate::document::Faults;
 use crate::geometry::Point;
 use crate::growth::growth;
-use crate::plan::read::reader::DraftedBuilding;
+use crate::plan::read::reader::{DraftedBuilding, ReadBuildings, ReadResult};
 use crate::plan::read::real_data::{folder, words};
-use crate::plan::{LevelDraft, OpeningPlace, assemble_level};
+use crate::plan::{GENERIC_ROOM_TYPE, LevelDraft, OpeningPlace, assemble_level};
 
 fn university() -> Option<Vec<DraftedBuilding>> {
     let path = folder("imdf-spbpu")?;
@@ -99,23 +99,88 @@ fn projection_keeps_shared_edges_shared_and_sizes_true() {
     }
 }
 
-/// The miniature campus of the tests with some text of one file replaced, read.
-fn broken(name: &str, from: &str, to: &str) -> Faults {
+/// The miniature campus of the tests with some texts of its files replaced, read.
+fn changed(changes: &[(&str, &str, &str)]) -> ReadResult {
     let folder = tempfile::tempdir().unwrap();
     for entry in std::fs::read_dir("tests/cases/plan_import/campus").unwrap() {
         let path = entry.unwrap().path();
+        let name = path.file_name().unwrap();
         let mut text = std::fs::read_to_string(&path).unwrap();
-        if path.file_name().unwrap().to_str() == Some(name) {
-            assert!(text.contains(from), "{name} has no {from}");
-            text = text.replacen(from, to, 1);
+        for (_, from, to) in changes.iter().filter(|(file, ..)| name == *file) {
+            assert!(text.contains(from), "{name:?} has no {from}");
+            text = text.replace(from, to);
         }
-        std::fs::write(folder.path().join(path.file_name().unwrap()), text).unwrap();
+        std::fs::write(folder.path().join(name), text).unwrap();
     }
     assert!(recognises(folder.path()));
-    match read(folder.path(), &words()) {
+    read(folder.path(), &words())
+}
+
+/// The faults of the campus with the first of some texts of a file replaced.
+fn broken(name: &str, from: &str, to: &str) -> Faults {
+    let text = std::fs::read_to_string(Path::new("tests/cases/plan_import/campus").join(name)).unwrap();
+    let once = text.replacen(from, to, 1);
+    match changed(&[(name, &text, &once)]) {
         Ok(read) => read.faults,
         Err(faults) => faults,
     }
+}
+
+fn sound(changes: &[(&str, &str, &str)]) -> ReadBuildings {
+    changed(changes).unwrap_or_else(|faults| panic!("{faults}"))
+}
+
+#[test]
+fn ordinals_with_a_fraction_of_nothing_and_ids_in_numbers_are_read() {
+    let usual = format!("{:?}", sound(&[]).buildings);
+    let floats = [
+        ("level.geojson", "\"ordinal\": 1", "\"ordinal\": 1.0"),
+        ("level.geojson", "\"ordinal\": 0", "\"ordinal\": 0.0"),
+    ];
+    assert_eq!(format!("{:?}", sound(&floats).buildings), usual);
+    let numbers =
+        ["level.geojson", "unit.geojson", "opening.geojson"].map(|file| (file, "\"level-a\"", "71"));
+    assert_eq!(format!("{:?}", sound(&numbers).buildings), usual);
+    let half = broken("level.geojson", "\"ordinal\": 1", "\"ordinal\": 0.5");
+    assert!(half.to_string().contains("expected a whole number, found 0.5"), "{half}");
+}
+
+#[test]
+fn a_level_belongs_to_the_first_of_its_buildings_that_there_is() {
+    let usual = sound(&[]).buildings.len();
+    let read =
+        sound(&[("level.geojson", "\"building_ids\": [", "\"building_ids\": [\"no-such-building\", ")]);
+    assert_eq!(read.buildings.len(), usual);
+}
+
+#[test]
+fn a_unit_that_is_called_no_more_than_a_room_has_the_type_of_its_name() {
+    let type_of = |category: &str, name: &str| {
+        let category = ("unit.geojson", "\"category\": \"classroom\"", category);
+        let read = sound(&[category, ("unit.geojson", "\"en\": \"Room 1\"", name)]);
+        let mut rooms = read
+            .buildings
+            .into_iter()
+            .flat_map(|building| building.draft.levels)
+            .flat_map(|level| level.rooms);
+        rooms.find(|room| room.id == "u-class").expect("the unit").room_type
+    };
+    assert_eq!(type_of("\"category\": \"room\"", "\"en\": \"Meeting Room 4\""), "meeting_room");
+    assert_eq!(type_of("\"category\": \"unspecified\"", "\"en\": \"Küche\""), "kitchen");
+    assert_eq!(type_of("\"category\": \"office\"", "\"en\": \"Küche\""), "office");
+    assert_eq!(type_of("\"category\": \"room\"", "\"en\": \"Room 4\""), GENERIC_ROOM_TYPE);
+}
+
+#[test]
+#[cfg_attr(not(shared_data), ignore = "needs shared/data beside the project")]
+fn the_shared_buildings_stand_where_they_are_on_the_campus() {
+    let Some(path) = folder("imdf-spbpu") else { return };
+    let read = read(&path, &words()).unwrap_or_else(|faults| panic!("{faults}"));
+    let [main, third] = &read.buildings[..] else { panic!("two buildings") };
+    let apart = main.placement.position.distance(third.placement.position);
+    assert!((200.0..1_000.0).contains(&apart), "{apart} m apart");
+    let degrees = read.origin.expect("a place on earth").degrees(main.placement.position).unwrap();
+    assert!((degrees - Point::new(30.3727, 60.0072)).abs().max_element() < 0.01, "{degrees}");
 }
 
 #[test]

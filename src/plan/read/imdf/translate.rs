@@ -5,14 +5,19 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::features::{LevelProperties, OpeningProperties, UnitProperties, label};
 use super::{Archive, NAME};
 use crate::document::{FaultSeverity, Faults, PathStep};
+use crate::geometry::Point;
 use crate::plan::read::foreign::{TypeOfWord, UniqueIds, slug, unknown_words};
 use crate::plan::read::geojson::{Feature, Geometry, outlines, plane_of, points};
 use crate::plan::read::indoor::{STOREY_HEIGHT, Storey, opening_along};
 use crate::plan::read::reader::{DraftedBuilding, ReadBuildings, ReadResult};
+use crate::plan::read::room_names::{most_telling, plain_words, type_of_words};
 use crate::plan::units::LocalPlane;
 use crate::plan::{
-    BuildingDraft, GENERIC_ROOM_TYPE, LevelDraft, OpeningDraft, OpeningKind, RoomDraft, RoomWords,
+    BuildingDraft, LevelDraft, OpeningDraft, OpeningKind, RoomDraft, RoomWords, SiteOrigin, SitePlacement,
 };
+
+/// The type of "Room 12": a name that says no more.
+const PLAIN_ROOM: &str = "room";
 
 /// All buildings with levels, and warnings for unknown words and lost features.
 pub(super) fn buildings(archive: &Archive, words: &RoomWords) -> ReadResult {
@@ -20,6 +25,7 @@ pub(super) fn buildings(archive: &Archive, words: &RoomWords) -> ReadResult {
     translation.report_strays();
     let mut buildings = Vec::new();
     let mut ids = UniqueIds::default();
+    let site = plane_of(translation.levels.values().flatten().filter_map(|level| level.geometry.as_ref()));
     for building in &archive.buildings.features {
         let levels = translation.levels_of(&building.id);
         if levels.is_empty() {
@@ -29,21 +35,33 @@ pub(super) fn buildings(archive: &Archive, words: &RoomWords) -> ReadResult {
         // A name that reads well in paths, or the feature's own id.
         let wanted = [slug(name.as_deref().unwrap_or_default()), building.id.clone()];
         let id = ids.first_free(wanted).unwrap_or_else(|| building.id.clone());
-        let levels = translation.levels(&levels);
+        let Some(plane) = translation.plane(&levels) else { continue };
+        let levels = translation.levels(&levels, &plane);
         buildings.push(DraftedBuilding {
             id,
             draft: BuildingDraft { name, levels, ..BuildingDraft::default() },
+            placement: placement(&plane, site.as_ref()),
             ..DraftedBuilding::default()
         });
     }
     translation.report_unknown_words();
-    ReadBuildings::new(buildings, translation.faults)
+    let origin = site.map(|site| site.degrees(Point::ZERO)).and_then(|at| SiteOrigin::at(at.x, at.y, 0.0));
+    Ok(ReadBuildings { origin, ..ReadBuildings::new(buildings, translation.faults)? })
+}
+
+/// Where the frame of a building is on the site, to the millimetre.
+fn placement(building: &LocalPlane, site: Option<&LocalPlane>) -> SitePlacement {
+    const PARTS: f64 = 1_000.0;
+    let at = building.degrees(Point::ZERO);
+    let position = site.map_or(Point::ZERO, |site| site.project(at.x, at.y));
+    // Adding zero makes a negative zero positive.
+    SitePlacement { position: (position * PARTS).round() / PARTS + Point::ZERO, turn: 0.0 }
 }
 
 struct Translation<'a> {
     archive: &'a Archive,
     words: &'a RoomWords,
-    /// By building; a level of several buildings belongs to the first it names.
+    /// By building; a level of several buildings belongs to the first it names that there is.
     levels: BTreeMap<&'a str, Vec<&'a Feature<LevelProperties>>>,
     /// With their places in the file, by level.
     units: BTreeMap<&'a str, Vec<(usize, &'a Feature<UnitProperties>)>>,
@@ -59,6 +77,8 @@ struct Translation<'a> {
 impl<'a> Translation<'a> {
     fn of(archive: &'a Archive, words: &'a RoomWords) -> Self {
         let openings = archive.openings.as_ref().map(|table| table.features.as_slice()).unwrap_or_default();
+        let known: BTreeSet<&str> =
+            archive.buildings.features.iter().map(|building| building.id.as_str()).collect();
         let mut all = Self {
             archive,
             words,
@@ -70,7 +90,7 @@ impl<'a> Translation<'a> {
             faults: Faults::default(),
         };
         for level in &archive.levels.features {
-            if let Some(building) = first_building(level) {
+            if let Some(building) = first_building(level, &known) {
                 all.levels.entry(building).or_default().push(level);
             }
         }
@@ -90,15 +110,20 @@ impl<'a> Translation<'a> {
         levels
     }
 
-    fn levels(&mut self, levels: &[&'a Feature<LevelProperties>]) -> Vec<LevelDraft> {
-        let Some(plane) = plane_of(levels.iter().filter_map(|level| level.geometry.as_ref())) else {
+    /// The plane of a building, at the middle of its levels; a fault if that is nowhere.
+    fn plane(&mut self, levels: &[&'a Feature<LevelProperties>]) -> Option<LocalPlane> {
+        let plane = plane_of(levels.iter().filter_map(|level| level.geometry.as_ref()));
+        if plane.is_none() {
             let index = levels[0].index_in(&self.archive.levels.features);
             let path = [PathStep::from("features"), index.into(), "geometry".into()];
             let hint = Some("longitude and latitude in degrees are needed".to_owned());
             let message = "the levels of a building are nowhere on Earth";
             self.faults.push(self.archive.levels.source.fault(&path, message, hint, FaultSeverity::Error));
-            return Vec::new();
-        };
+        }
+        plane
+    }
+
+    fn levels(&mut self, levels: &[&'a Feature<LevelProperties>], plane: &LocalPlane) -> Vec<LevelDraft> {
         let mut copies: BTreeMap<i32, u32> = BTreeMap::new();
         levels
             .iter()
@@ -107,7 +132,7 @@ impl<'a> Translation<'a> {
                 let copy = copies.entry(ordinal).or_default();
                 *copy += 1;
                 let suffix = if *copy > 1 { format!("_{copy}") } else { String::new() };
-                self.level(level, format!("level_{ordinal}{suffix}"), &plane)
+                self.level(level, format!("level_{ordinal}{suffix}"), plane)
             })
             .collect()
     }
@@ -149,9 +174,10 @@ impl<'a> Translation<'a> {
         let tenant = self.archive.occupants.get(&unit.id).and_then(|tenant| tenant.category.as_deref());
         let own = self.words.room_type(NAME, word);
         let lent = tenant.and_then(|category| self.words.room_type(NAME, category));
-        // The tenant is asked where the word says no more than "a room".
-        let found = if own == Some(GENERIC_ROOM_TYPE) { lent.or(own) } else { own.or(lent) };
-        if let Some(found) = found {
+        // The tenant and then the name are asked where the word says no more than "a room".
+        let name = label(unit.properties.name.as_ref()).map(|name| plain_words(&name)).unwrap_or_default();
+        let named = type_of_words(self.words, &[NAME, "ifc"], &name).filter(|named| *named != PLAIN_ROOM);
+        if let Some(found) = most_telling([own, lent, named].into_iter().flatten()) {
             return TypeOfWord::known(word, found);
         }
         self.unknown.entry(word.to_owned()).or_insert((index, 0)).1 += 1;
@@ -175,13 +201,7 @@ impl<'a> Translation<'a> {
     /// Units and openings that no level of a building takes, and those without a shape.
     fn report_strays(&mut self) {
         let archive = self.archive;
-        let known: BTreeSet<&str> =
-            archive.buildings.features.iter().map(|building| building.id.as_str()).collect();
-        let homed = |level: &&Feature<LevelProperties>| {
-            first_building(level).is_some_and(|first| known.contains(first))
-        };
-        let levels: BTreeSet<&str> =
-            archive.levels.features.iter().filter(homed).map(|level| level.id.as_str()).collect();
+        let levels: BTreeSet<&str> = self.levels.values().flatten().map(|level| level.id.as_str()).collect();
         let mut faults = Faults::default();
         let mut report = |source: &crate::document::Source, index: usize, key: &str, message: String| {
             let path = [PathStep::from("features"), index.into(), key.into()];
@@ -220,8 +240,10 @@ impl<'a> Translation<'a> {
     }
 }
 
-fn first_building(level: &Feature<LevelProperties>) -> Option<&str> {
-    level.properties.building_ids.as_ref()?.first().map(String::as_str)
+/// The first building of a level that is one of those of the file.
+fn first_building<'a>(level: &'a Feature<LevelProperties>, known: &BTreeSet<&str>) -> Option<&'a str> {
+    let buildings = level.properties.building_ids.as_ref()?;
+    buildings.iter().map(String::as_str).find(|building| known.contains(building))
 }
 
 fn stray(what: &str, id: &str) -> String {
