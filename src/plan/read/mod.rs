@@ -24,6 +24,7 @@ mod reader;
 mod readers;
 #[cfg(test)]
 pub(super) mod real_data;
+mod recentred;
 mod resplan;
 mod rings;
 mod room_names;

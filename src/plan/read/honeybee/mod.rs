@@ -37,6 +37,7 @@ use self::room_types::{NAME, Naming};
 use self::schema::{Building, Model};
 use super::foreign::{UniqueIds, id_of_file, slug};
 use super::reader::{DraftedBuilding, ForeignFormat, ReadBuildings, ReadFormat, ReadResult};
+use super::recentred::{recentring, shift};
 use super::sample::Sample;
 use crate::document::{Fault, Source, did_you_mean};
 use crate::plan::units::model_unit;
@@ -116,6 +117,9 @@ fn read(path: &Path, words: &RoomWords) -> ReadResult {
         let levels = level::drafts(storeys::storeys(spaces, &place), &mut naming, &mut notes);
         add(stem, model.display_name.as_ref(), levels);
     }
+    // All by the same: buildings keep their places to each other.
+    let by = recentring(drafted.iter().flat_map(|building| &building.draft.levels));
+    drafted.iter_mut().flat_map(|building| &mut building.draft.levels).for_each(|level| shift(level, by));
     for (place, message, hint) in naming.unknown() {
         notes.warn(place, message, &hint);
     }

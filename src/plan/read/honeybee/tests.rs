@@ -41,6 +41,25 @@ fn between<'a>(level: &'a Level, one: &str, other: &str) -> Vec<&'a Opening> {
     level.openings.iter().filter(joins).collect()
 }
 
+#[test]
+fn models_in_the_coordinates_of_a_country_are_moved_to_the_origin() {
+    let near = story(r#""units": "Meters","#, ["\"floor_holes\": null"; 2], "");
+    let mut model: serde_json::Value = serde_json::from_str(&near).unwrap();
+    for room in model["buildings"][0]["unique_stories"][0]["room_2ds"].as_array_mut().unwrap() {
+        for corner in room["floor_boundary"].as_array_mut().unwrap() {
+            corner[0] = (corner[0].as_f64().unwrap() + 2_600_000.0).into();
+            corner[1] = (corner[1].as_f64().unwrap() + 1_200_000.0).into();
+        }
+    }
+    let (far, faults) = drafts(&model.to_string());
+    assert!(!faults.has_errors(), "{faults}");
+    let (near, _) = drafts(&near);
+    let outlines = |levels: &[LevelDraft]| -> Vec<_> {
+        levels.iter().flat_map(|level| &level.rooms).map(|room| room.outline.clone()).collect()
+    };
+    assert_eq!(outlines(&far), outlines(&near));
+}
+
 /// A story of two rooms of 4 by 3 units side by side, with what else each room says.
 fn story(unit: &str, [west, east]: [&str; 2], story: &str) -> String {
     let room = |id: &str, x: f64, more: &str| {

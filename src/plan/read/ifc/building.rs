@@ -7,21 +7,22 @@ use glam::DAffine3;
 use super::columns::{self, Own, Products};
 use super::fixtures::note_fixtures;
 use super::furniture;
-use super::level::{Spaces, Storey, shift, stack};
+use super::level::{Spaces, Storey, stack};
 use super::model::{Entity, Model};
 use super::openings;
 use super::placement::Geometry;
 use super::relations::Relations;
 use super::room_types::RoomTypes;
 use super::rooms::Naming;
-use crate::geometry::{Bounds, Point};
+use super::storeyless::by_floors;
 use crate::plan::read::drawn::DrawnPiece;
 use crate::plan::read::reader::DraftedBuilding;
+use crate::plan::read::recentred::{recentring, shift};
 use crate::plan::{BuildingDraft, RoomWords};
 
-/// Metres from the building's origin beyond which it is moved there: coordinates of a country, in which millimetres are
-/// lost when they are written.
-const FARTHEST: f64 = 10_000.0;
+const STOREY: &str = "IFCBUILDINGSTOREY";
+const BUILDING: &str = "IFCBUILDING";
+const SITE: &str = "IFCSITE";
 
 /// A building with its storeys in the file's order; 0 for storeys that no building has.
 struct Home {
@@ -41,7 +42,7 @@ pub(super) fn buildings(
     let relations = Relations::of(model);
     let types = RoomTypes::new(words, model, &relations);
     let mut spaces = spaces_by_storey(model, &relations);
-    let homes = homes(model, &relations);
+    let homes = homes(model, &relations, &spaces);
     let is_single = homes.len() == 1;
     let mut own = products_by_building(model, &relations, &homes);
     let mut drafted = Vec::new();
@@ -51,12 +52,7 @@ pub(super) fn buildings(
         let frame = frame(&geometry, home.id);
         let own = own.remove(&home.id).unwrap_or_default();
         let products = Products { geometry: &geometry, relations: &relations, frame, own: &own };
-        let mut storeys: Vec<Storey> = Vec::new();
-        for storey in &home.storeys {
-            let own = spaces.remove(&storey.id).unwrap_or_default();
-            let spaces = Spaces { own: &own, relations: &relations, naming: &mut naming };
-            storeys.push(Storey::read(&geometry, &frame, storey, spaces));
-        }
+        let mut storeys = storeys(&products, home, &mut spaces, &mut naming);
         products.enclose(&mut storeys, &mut naming);
         stack(&mut storeys);
         note_fixtures(model, &relations, words, &mut storeys);
@@ -66,14 +62,48 @@ pub(super) fn buildings(
         let id = if is_single { name.to_owned() } else { format!("{name}_{}", home.id) };
         let mut pieces = if is_furniture_wanted { products.furniture(&storeys, &id) } else { Vec::new() };
         let mut levels: Vec<_> = storeys.into_iter().map(|storey| storey.draft).collect();
-        let by = recentring(levels.iter().flat_map(|level| &level.rooms).flat_map(|room| &room.outline));
+        let by = recentring(&levels);
         levels.iter_mut().for_each(|level| shift(level, by));
         pieces.iter_mut().for_each(|piece| piece.center += by);
         let draft = BuildingDraft { name: title(model, home.id), levels, ..BuildingDraft::default() };
         let settled = DraftedBuilding { id, draft, is_settled: true, ..DraftedBuilding::default() };
         drafted.push((settled, pieces));
     }
-    for space in spaces.values().flatten() {
+    let has_rooms = drafted.iter().any(|(building, _)| !building.draft.levels.is_empty());
+    report_homeless(model, spaces, has_rooms);
+    naming.warn(model);
+    types.warn(model);
+    drafted
+}
+
+/// The storeys of a building with the rooms of their spaces, which are taken out of `spaces`; then those of spaces without a storey.
+fn storeys(
+    Products { geometry, relations, frame, .. }: &Products<'_>,
+    home: &Home,
+    spaces: &mut BTreeMap<u64, Vec<Entity>>,
+    naming: &mut Naming<'_>,
+) -> Vec<Storey> {
+    let mut storeys: Vec<Storey> = Vec::new();
+    for storey in &home.storeys {
+        let own = spaces.remove(&storey.id).unwrap_or_default();
+        storeys.push(Storey::read(geometry, frame, storey, Spaces { own: &own, relations, naming }));
+    }
+    // Under 0 are the spaces of no building.
+    if let Some(building) = geometry.model.get(home.id).ok().filter(|building| building.is(&[BUILDING])) {
+        let held = spaces.remove(&building.id).unwrap_or_default();
+        for own in by_floors(geometry, frame, held) {
+            let spaces = Spaces { own: &own, relations, naming };
+            storeys.push(Storey::read(geometry, frame, &building, spaces).without_storey());
+        }
+    }
+    storeys
+}
+
+/// Reports spaces of no building: such as car parks of the site, which are no fault beside buildings with rooms.
+fn report_homeless(model: &Model, spaces: BTreeMap<u64, Vec<Entity>>, has_rooms: bool) {
+    let (outside, nowhere): (Vec<_>, Vec<_>) =
+        spaces.into_iter().partition(|(whole, _)| has_rooms && model.is(*whole, &[SITE]));
+    for space in nowhere.iter().flat_map(|(_, spaces)| spaces) {
         let message = format!("space \"{}\" is on no storey", space.text(2).unwrap_or_default());
         model.error(
             &space.trouble(message),
@@ -81,13 +111,15 @@ pub(super) fn buildings(
             "IfcRelAggregates puts spaces on storeys; the room is left out",
         );
     }
-    naming.warn(model);
-    types.warn(model);
-    drafted
+    let outside: Vec<&Entity> = outside.iter().flat_map(|(_, spaces)| spaces).collect();
+    if let [first, ..] = outside[..] {
+        let message = format!("spaces of the site, outside of buildings: {} left out", outside.len());
+        model.warn(first.id, message, "IfcRelAggregates puts spaces on storeys");
+    }
 }
 
-/// Spaces by their storey, in the order of their numbers; under 0 those without one. Gross areas and wholes of spaces lie
-/// over other spaces and are none.
+/// Spaces by their storey, else by their building or site, in the order of their numbers; under 0 those without one. Gross areas and
+/// wholes of spaces lie over other spaces and are none.
 fn spaces_by_storey(model: &Model, relations: &Relations) -> BTreeMap<u64, Vec<Entity>> {
     let mut spaces: BTreeMap<u64, Vec<Entity>> = BTreeMap::new();
     for space in model.all(&["IFCSPACE"]) {
@@ -95,16 +127,18 @@ fn spaces_by_storey(model: &Model, relations: &Relations) -> BTreeMap<u64, Vec<E
         if is_whole || space.value(9).word() == Some("GFA") {
             continue;
         }
-        let storey = relations.wholes(space.id).find(|whole| model.is(*whole, &["IFCBUILDINGSTOREY"]));
-        spaces.entry(storey.unwrap_or(0)).or_default().push(space);
+        let within = |kind: &str| relations.wholes(space.id).find(|whole| model.is(*whole, &[kind]));
+        let whole = [STOREY, BUILDING, SITE].into_iter().find_map(within);
+        spaces.entry(whole.unwrap_or(0)).or_default().push(space);
     }
     spaces
 }
 
-fn homes(model: &Model, relations: &Relations) -> Vec<Home> {
-    let mut homes: BTreeMap<u64, Vec<Entity>> = BTreeMap::new();
-    for storey in model.all(&["IFCBUILDINGSTOREY"]) {
-        let building = relations.wholes(storey.id).find(|whole| model.is(*whole, &["IFCBUILDING"]));
+fn homes(model: &Model, relations: &Relations, spaces: &BTreeMap<u64, Vec<Entity>>) -> Vec<Home> {
+    let with_spaces = spaces.keys().filter(|whole| model.is(**whole, &[BUILDING]));
+    let mut homes: BTreeMap<u64, Vec<Entity>> = with_spaces.map(|building| (*building, Vec::new())).collect();
+    for storey in model.all(&[STOREY]) {
+        let building = relations.wholes(storey.id).find(|whole| model.is(*whole, &[BUILDING]));
         homes.entry(building.unwrap_or(0)).or_default().push(storey);
     }
     homes.into_iter().map(|(id, storeys)| Home { id, storeys }).collect()
@@ -116,7 +150,7 @@ fn products_by_building(model: &Model, relations: &Relations, homes: &[Home]) ->
     let mut own: BTreeMap<u64, Own> = BTreeMap::new();
     for kind in columns::kinds().chain(openings::kinds()).chain(furniture::KINDS) {
         for product in model.ids(&[kind]) {
-            let home = relations.within(product, |whole| model.is(whole, &["IFCBUILDING"])).or(only);
+            let home = relations.within(product, |whole| model.is(whole, &[BUILDING])).or(only);
             own.entry(home.unwrap_or(0)).or_default().entry(kind).or_default().push(product);
         }
     }
@@ -130,13 +164,6 @@ fn frame(geometry: &Geometry<'_>, building: u64) -> DAffine3 {
     }
     let place = geometry.model.get(building).and_then(|building| geometry.place(&building));
     geometry.model.sound(place).map_or(DAffine3::IDENTITY, |place| place.inverse())
-}
-
-/// By how many whole metres a building is moved to its origin: none where it stands near.
-fn recentring<'a>(corners: impl Iterator<Item = &'a Point>) -> Point {
-    let Bounds { low, .. } = Bounds::around(corners.copied());
-    let is_far = low.is_finite() && low.abs().max_element() > FARTHEST;
-    if is_far { -low.floor() } else { Point::ZERO }
 }
 
 /// The name of a building, or that of the project.

@@ -8,9 +8,8 @@ use super::model::Entity;
 use super::placement::Geometry;
 use super::relations::Relations;
 use super::rooms::{Naming, Outlined, Space, space};
-use crate::geometry::Point;
 use crate::plan::read::foreign::UniqueIds;
-use crate::plan::{LeafDraft, LevelDraft, OpeningPlace, OutlineKind};
+use crate::plan::{LevelDraft, OutlineKind};
 
 /// Metres of slab between the highest ceiling and what is above, where no storey says more.
 const SLAB_THICKNESS: f64 = 0.3;
@@ -19,7 +18,7 @@ const EXTERIOR_THICKNESS: f64 = 0.35;
 /// Metres of walls between rooms whose outlines touch; gaps between spaces say more.
 const INTERIOR_THICKNESS: f64 = 0.12;
 /// Metres between the floors of two storeys of which the upper stands on the lower.
-const LOWEST_STOREY: f64 = 1.8;
+pub(super) const LOWEST_STOREY: f64 = 1.8;
 
 /// A storey while it is read.
 pub(super) struct Storey {
@@ -94,6 +93,15 @@ impl Storey {
         storey
     }
 
+    /// The storey of the spaces that a building holds itself: it lies where their floor does, and has no name.
+    pub(super) fn without_storey(mut self) -> Self {
+        self.draft.name.clear();
+        if self.floor.is_finite() {
+            self.draft.elevation = self.floor;
+        }
+        self
+    }
+
     /// Adds the rooms of a space.
     pub(super) fn add(&mut self, space: Space) {
         self.floor = self.floor.min(space.low);
@@ -136,28 +144,5 @@ pub(super) fn stack(storeys: &mut Vec<Storey>) {
         storey.draft.height = above.unwrap_or(storey.top - own);
         storey.top = storey.top.max(own + storey.draft.height);
         storey.draft.id = ids.of_name(&storey.draft.name, &format!("storey_{index}"));
-    }
-}
-
-/// Moves everything on a level.
-pub(super) fn shift(level: &mut LevelDraft, by: Point) {
-    let mut ring = |ring: &mut Vec<Point>| ring.iter_mut().for_each(|corner| *corner += by);
-    for room in &mut level.rooms {
-        ring(&mut room.outline);
-        room.holes.iter_mut().for_each(&mut ring);
-    }
-    level.obstacles.iter_mut().for_each(|obstacle| ring(&mut obstacle.outline));
-    level.wall_outlines.iter_mut().for_each(&mut ring);
-    for opening in &mut level.openings {
-        if let OpeningPlace::Points { center, .. } = &mut opening.place {
-            *center += by;
-        }
-        if let LeafDraft::Points(leaves) = &mut opening.leaf {
-            for leaf in leaves {
-                [&mut leaf.hinge, &mut leaf.closed_tip, &mut leaf.open_tip]
-                    .into_iter()
-                    .for_each(|at| *at += by);
-            }
-        }
     }
 }

@@ -1,6 +1,7 @@
 //! Industry Foundation Classes (ISO 16739) as exchange files (ISO 10303-21): IFC2X3, IFC4 and IFC4X3.
 //!
-//! One building for each `IfcBuilding` with storeys, one level for each storey with spaces. Of the file are read:
+//! One building for each `IfcBuilding` with storeys or spaces, one level for each storey with spaces, or for each height of the floors of
+//! spaces that are on no storey. Of the file are read:
 //! - `IfcSpace`: the outline is what its body covers of the floor (swept and revolved profiles, flat and curved faces,
 //!   boxes, footprint curves; of clipped bodies the uncut one), the height that of its body, the room type the words of
 //!   `LongName`, `Name` and `ObjectType`. Without a body it is that of its boundaries, else of the walls around its place;
@@ -41,6 +42,7 @@ mod shape;
 mod solid;
 mod spline;
 mod step;
+mod storeyless;
 mod strings;
 mod swing;
 mod units;

@@ -26,6 +26,23 @@ impl Rings {
     }
 }
 
+/// Metres of the thinnest leg of an angle that is a floor; thinner ones are of steel.
+const WALKABLE: f64 = 0.5;
+
+/// A trapezium in the middle of its height and of its lower side, of which the upper one begins at an offset from the lower one.
+fn trapezium(lower: f64, upper: f64, height: f64, offset: f64) -> Vec<DVec3> {
+    let (x, y) = (lower / 2.0, height / 2.0);
+    [(-x, -y), (x, -y), (offset + upper - x, y), (offset - x, y)].map(|(x, y)| DVec3::new(x, y, 0.0)).to_vec()
+}
+
+/// An angle of two legs in the middle of its box: one along its left side, one along its lower side.
+fn angle(width: f64, depth: f64, thickness: f64) -> Vec<DVec3> {
+    let (x, y) = (width / 2.0, depth / 2.0);
+    let (inner_x, inner_y) = (thickness - x, thickness - y);
+    let corners = [(-x, -y), (x, -y), (x, inner_y), (inner_x, inner_y), (inner_x, y), (-x, y)];
+    corners.map(|(x, y)| DVec3::new(x, y, 0.0)).to_vec()
+}
+
 /// A rectangle around the origin.
 fn rectangle(width: f64, depth: f64) -> Vec<DVec3> {
     let (x, y) = (width / 2.0, depth / 2.0);
@@ -71,6 +88,13 @@ impl Geometry<'_> {
             | "IFCRECTANGLEHOLLOWPROFILEDEF"
             | "IFCISHAPEPROFILEDEF"
             | "IFCASYMMETRICISHAPEPROFILEDEF" => rectangle(length(3)?, length(4)?),
+            "IFCTRAPEZIUMPROFILEDEF" => {
+                let offset = profile.value(6).number().unwrap_or(0.0) * self.units.length;
+                trapezium(length(3)?, length(4)?, length(5)?, offset)
+            }
+            "IFCLSHAPEPROFILEDEF" if length(5).is_ok_and(|thickness| thickness >= WALKABLE) => {
+                angle(length(4).or_else(|_| length(3))?, length(3)?, length(5)?)
+            }
             "IFCTSHAPEPROFILEDEF" | "IFCUSHAPEPROFILEDEF" | "IFCLSHAPEPROFILEDEF" => {
                 rectangle(length(4).or_else(|_| length(3))?, length(3)?)
             }

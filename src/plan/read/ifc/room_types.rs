@@ -1,14 +1,13 @@
 //! Finds the room types for the words of spaces, with one warning for each unknown word.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
 
 use super::NAME;
 use super::model::{Entity, Model};
 use super::relations::Relations;
 use crate::plan::RoomWords;
-use crate::plan::read::foreign::{TypeOfWord, unknown_words};
-use crate::plan::read::room_names::{most_telling, plain_words, type_of_words};
+use crate::plan::read::foreign::TypeOfWord;
+use crate::plan::read::room_names::{TypedNames, plain_words};
 
 /// Where a space says what it is: `LongName`, `Name`, `ObjectType`.
 const PLACES: [usize; 3] = [7, 2, 4];
@@ -17,16 +16,15 @@ const CLASS_PLACES: [usize; 2] = [2, 1];
 
 /// Room types by word, remembering the words that are unknown.
 pub(super) struct RoomTypes<'a> {
-    words: &'a RoomWords,
     model: &'a Model,
     relations: &'a Relations,
-    /// Word → (its first space, how many).
-    unknown: RefCell<BTreeMap<String, (u64, usize)>>,
+    /// A place is the number of a space.
+    names: RefCell<TypedNames<'a, u64>>,
 }
 
 impl<'a> RoomTypes<'a> {
     pub(super) fn new(words: &'a RoomWords, model: &'a Model, relations: &'a Relations) -> Self {
-        Self { words, model, relations, unknown: RefCell::default() }
+        Self { model, relations, names: RefCell::new(TypedNames::new(words, NAME)) }
     }
 
     /// The type of a space, by its names, then by its classifications; for unknown words a warning comes later.
@@ -34,14 +32,9 @@ impl<'a> RoomTypes<'a> {
         let mut texts: Vec<Vec<String>> =
             PLACES.iter().filter_map(|place| space.text(*place)).map(plain_words).collect();
         texts.extend(self.class_words(space));
-        let found = most_telling(texts.iter().filter_map(|words| type_of_words(self.words, &[NAME], words)));
-        let said = texts.into_iter().find(|words| !words.is_empty()).unwrap_or_default().join(" ");
-        if let Some(found) = found {
-            return TypeOfWord::known(&said, found);
-        }
-        let read = TypeOfWord::unknown(&said);
-        self.unknown.borrow_mut().entry(said).or_insert((space.id, 0)).1 += 1;
-        read
+        let texts: Vec<&[String]> = texts.iter().map(Vec::as_slice).collect();
+        let said = texts.iter().copied().find(|words| !words.is_empty()).unwrap_or_default();
+        self.names.borrow_mut().of_texts(&texts, said, || space.id)
     }
 
     /// The words of the classifications of a space.
@@ -56,7 +49,7 @@ impl<'a> RoomTypes<'a> {
 
     /// Warnings for unknown words, at their first spaces.
     pub(super) fn warn(&self, model: &Model) {
-        for (id, message, hint) in unknown_words(NAME, &self.unknown.borrow()) {
+        for (id, message, hint) in self.names.borrow().unknown() {
             model.warn(*id, message, &hint);
         }
     }

@@ -92,7 +92,7 @@ impl Exchange {
         let Some(id) = number.parse().ok().filter(|_| number.len() <= NUMBER_DIGITS) else {
             return self.flaw(range.start, format!("\"#{}\" is no number of an instance", shown(number)));
         };
-        let body = rest.trim_start();
+        let body = &text[skip_blank(text.as_bytes(), range.end - rest.len()).min(range.end)..range.end];
         let keyword: String = body.chars().take_while(|letter| is_keyword(*letter)).collect();
         self.kinds.entry(keyword.to_ascii_uppercase()).or_default().push(id);
         self.records.push(Record { id, start: range.start, body: range.end - body.len()..range.end });
@@ -212,11 +212,11 @@ mod tests {
 
     #[test]
     fn instances_are_found_in_any_order_and_layout() {
-        let text = "#7 = IfcWall('a;b''c', $) ;\n/* #8=X(); */ #2=\n  IFCDOOR(\n #7);#3=(A()B());";
+        let text = "#7 = IfcWall('a;b''c', $) ;\n/* #8=X(); */ #2= /* a; */\n  IFCDOOR(\n #7);#3=(A()B());";
         let exchange = scan(text);
         assert_eq!(ids(&exchange), [2, 3, 7]);
         assert_eq!(exchange.schemas, ["IFC4"]);
-        assert_eq!(exchange.kinds["IFCWALL"], [7]);
+        assert_eq!((&exchange.kinds["IFCWALL"], &exchange.kinds["IFCDOOR"]), (&vec![7], &vec![2]));
         assert!(exchange.flaws.is_empty(), "{:?}", exchange.flaws);
     }
 

@@ -284,6 +284,56 @@ fn files_without_a_plan_are_rejected_with_the_reason() {
 }
 
 #[test]
+fn spaces_that_a_building_holds_itself_are_on_a_storey_for_each_height_of_their_floors() {
+    let text = std::fs::read_to_string(VILLA).unwrap();
+    let usual = read_bytes(text.as_bytes()).unwrap();
+    let storeyless = text
+        .replace("#26=IFCRELAGGREGATES('0r3',$,$,$,#16,(#22,#18,#23));", "")
+        .replace("$,$,$,#18,(#100,#110,#120)", "$,$,$,#16,(#100,#110,#120)")
+        .replace("$,$,$,#22,(#130,#140,#150)", "$,$,$,#16,(#130,#140,#150)");
+    let found = read_bytes(storeyless.as_bytes()).unwrap();
+    let rooms = |levels: &[LevelDraft]| -> Vec<(f64, Vec<String>)> {
+        let ids = |level: &LevelDraft| level.rooms.iter().map(|room| room.id.clone()).collect();
+        levels.iter().map(|level| (level.elevation, ids(level))).collect()
+    };
+    assert_eq!(rooms(&found.buildings[0].draft.levels), rooms(&usual.buildings[0].draft.levels));
+}
+
+#[test]
+fn spaces_of_the_site_are_counted_beside_buildings_with_rooms_and_an_error_alone() {
+    let on_site = "#28=IFCRELAGGREGATES('0r5',$,$,$,#14,(#130,#140,#150));";
+    let (buildings, faults) = villa("#28=IFCRELAGGREGATES('0r5',$,$,$,#22,(#130,#140,#150));", on_site);
+    assert_eq!(buildings[0].draft.levels.len(), 1);
+    assert!(!faults.has_errors(), "{faults}");
+    let count = "spaces of the site, outside of buildings: 3 left out";
+    assert!(messages(&faults).iter().any(|message| message.ends_with(count)), "{faults}");
+    let text = std::fs::read_to_string(VILLA).unwrap();
+    let alone = text
+        .replace("#27=IFCRELAGGREGATES('0r4',$,$,$,#18,", "#27=IFCRELAGGREGATES('0r4',$,$,$,#14,")
+        .replace("#28=IFCRELAGGREGATES('0r5',$,$,$,#22,", "#28=IFCRELAGGREGATES('0r5',$,$,$,#14,");
+    let faults = read_bytes(alone.as_bytes()).unwrap_err();
+    assert!(
+        messages(&faults).iter().any(|message| message.contains("space \"101\" is on no storey")),
+        "{faults}"
+    );
+}
+
+#[test]
+fn angles_and_trapeziums_are_floors_of_their_shape() {
+    let living_room = "IFCRECTANGLEPROFILEDEF(.AREA.,$,$,5000.,4000.)";
+    for (profile, square_metres) in [
+        ("IFCTRAPEZIUMPROFILEDEF(.AREA.,$,$,5000.,4000.,4000.,500.)", 18.0),
+        ("IFCLSHAPEPROFILEDEF(.AREA.,$,$,4000.,5000.,1500.,$,$,$)", 11.25),
+        // A section of steel is its box.
+        ("IFCLSHAPEPROFILEDEF(.AREA.,$,$,4000.,5000.,12.,$,$,$)", 20.0),
+    ] {
+        let (buildings, faults) = villa(living_room, profile);
+        let found = area(&buildings[0].draft.levels[0], "001");
+        assert!((found - square_metres).abs() < 1e-6, "{profile}: {found} m², {faults}");
+    }
+}
+
+#[test]
 fn old_encodings_are_read_and_cut_files_too() {
     let text = std::fs::read_to_string(VILLA).unwrap();
     let latin: Vec<u8> =
