@@ -115,12 +115,21 @@ fn names_here(folder: &Path, needed: &[&str]) -> Vec<String> {
     here
 }
 
-/// A name that reads well in paths: small letters and digits, one `_` for all between.
+/// A name that reads well in paths: small letters and digits, one `_` for all between. The storey "-1" is `minus_1`, not that above the
+/// ground.
 pub(super) fn slug(name: &str) -> String {
+    const MINUS: [char; 2] = ['-', '\u{2212}'];
     let mut slug = String::new();
-    for letter in name.chars() {
+    let mut before = ' ';
+    let mut letters = name.chars().peekable();
+    while let Some(letter) = letters.next() {
+        let is_number = letters.peek().is_some_and(char::is_ascii_digit);
+        let is_sign = MINUS.contains(&letter) && before == ' ' && is_number;
+        before = letter;
         if letter.is_ascii_alphanumeric() {
             slug.push(letter.to_ascii_lowercase());
+        } else if is_sign {
+            slug.push_str("minus_");
         } else if !slug.is_empty() && !slug.ends_with('_') {
             slug.push('_');
         }
@@ -203,6 +212,13 @@ mod tests {
     fn a_building_is_named_as_its_file_without_the_ending() {
         assert_eq!(id_of_file(Path::new("plans/My flat (2).json"), "plan"), "my_flat_2");
         assert_eq!(id_of_file(Path::new("未命名.json"), "plan"), "plan");
+    }
+
+    #[test]
+    fn storeys_below_the_ground_have_other_ids_than_those_above() {
+        let names = ["-1", "1", "Level -2", "Level - 2", "B-2", "2024-01", "\u{2212}3 Keller"];
+        let slugs = ["minus_1", "1", "level_minus_2", "level_2", "b_2", "2024_01", "minus_3_keller"];
+        assert_eq!(names.map(slug), slugs);
     }
 
     #[test]
