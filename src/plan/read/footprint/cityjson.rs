@@ -30,8 +30,7 @@ const LARGEST_OBJECT: usize = 16 * 1024 * 1024;
 /// The outermost object of a file, or of a line of a sequence.
 #[derive(Deserialize)]
 struct City<'a> {
-    #[serde(default)]
-    metadata: Metadata,
+    metadata: Option<Metadata>,
     transform: Option<Transform>,
     #[serde(borrow, rename = "CityObjects", default)]
     objects: BTreeMap<String, &'a RawValue>,
@@ -61,8 +60,7 @@ struct CityObject {
     kind: String,
     attributes: Option<Map<String, Value>>,
     geometry: Option<Vec<Geometry>>,
-    #[serde(default)]
-    parents: Vec<String>,
+    parents: Option<Vec<String>>,
 }
 
 /// Reads the buildings of a file.
@@ -77,8 +75,9 @@ pub(super) fn read(path: &Path) -> Result<(Drawing, SiteNotes), Faults> {
         let city = city.map_err(|error| fault_of(&source, &error))?;
         // Of a sequence, the first line has what holds for all.
         transform = city.transform.or(transform);
-        drawing.reference_system = drawing.reference_system.or(city.metadata.reference_system);
-        let vertices = placed(city.vertices, transform, city.metadata.extent, &mut notes);
+        let Metadata { reference_system, extent } = city.metadata.unwrap_or_default();
+        drawing.reference_system = drawing.reference_system.or(reference_system);
+        let vertices = placed(city.vertices, transform, extent, &mut notes);
         for (id, text) in city.objects {
             add(&id, text.get(), &vertices, &mut drawing, &mut notes);
         }
@@ -137,7 +136,8 @@ fn add(key: &str, text: &str, vertices: &Vertices, drawing: &mut Drawing, notes:
         ground_of(object.geometry.as_deref().unwrap_or_default(), vertices, attribute);
     let mut facts = facts_of(&tags_of(object.attributes));
     facts.storeys.height = facts.storeys.height.or(height);
-    let parent = object.parents.first().filter(|_| is_part).and_then(|parent| id_of_words(parent));
+    let parent =
+        object.parents.iter().flatten().next().filter(|_| is_part).and_then(|parent| id_of_words(parent));
     if areas.is_empty() && is_part {
         return notes.leave_out(id, "it has no outline");
     }

@@ -38,6 +38,19 @@ fn a_building_stands_on_its_lowest_faces() {
 }
 
 #[test]
+fn what_is_null_is_not_there() {
+    let text = city(&format!(
+        r#""a": {{"type": "Building", "attributes": null, "parents": null, "children": null, {}}}"#,
+        solid(r#", "semantics": null"#)
+    ));
+    let metadata = r#"{"referenceSystem": "https://www.opengis.net/def/crs/EPSG/0/7415"}"#;
+    assert!(text.contains(metadata));
+    let read = read("a.json", text.replace(metadata, "null")).unwrap();
+    assert!((read.site.footprints[0].region.area() - 80.0).abs() < 1e-6);
+    assert_eq!(read.site.reference_system, None);
+}
+
+#[test]
 fn the_faces_that_are_called_ground_come_first() {
     let semantics = r#", "semantics": {"surfaces": [{"type": "WallSurface"}, {"type": "GroundSurface"}], "values": [[0, 1, 0, null, 0, 0]]}"#;
     let read =

@@ -39,7 +39,7 @@ pub(super) struct FloorProperties {
 pub(super) struct SpaceProperties {
     pub(super) id: String,
     /// A code such as `B001`.
-    pub(super) category: String,
+    pub(super) category: Option<String>,
     pub(super) floor_id: String,
     pub(super) name: Option<String>,
 }

@@ -47,3 +47,27 @@ fn the_shared_station_is_the_same_as_a_native_plan() {
     let Some(folder) = folder("mlit-indoor") else { return };
     assert_comes_back(&folder);
 }
+
+#[test]
+fn a_space_without_a_category_is_guessed_and_no_unknown_word() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut changed = 0;
+    for entry in std::fs::read_dir("tests/cases/plan_import/indoor_mlit").unwrap() {
+        let path = entry.unwrap().path();
+        let text = std::fs::read_to_string(&path).unwrap();
+        let mut table: serde_json::Value = serde_json::from_str(&text).unwrap();
+        for feature in table["features"].as_array_mut().unwrap() {
+            if let Some(category) = feature["properties"].get_mut("category") {
+                *category = serde_json::Value::Null;
+                changed += 1;
+            }
+        }
+        std::fs::write(folder.path().join(path.file_name().unwrap()), table.to_string()).unwrap();
+    }
+    assert!(changed > 0);
+    let read = read(folder.path(), &words()).unwrap_or_else(|faults| panic!("{faults}"));
+    let mut rooms =
+        read.buildings.iter().flat_map(|building| &building.draft.levels).flat_map(|level| &level.rooms);
+    assert!(rooms.all(|room| room.unknown_word.as_deref() == Some("")));
+    assert!(!read.faults.to_string().contains("unknown room word"), "{}", read.faults);
+}

@@ -156,11 +156,14 @@ impl Translation<'_> {
     }
 
     fn rooms(&mut self, place: (usize, usize), space: &SpaceProperties, areas: Vec<Rings>) -> Vec<RoomDraft> {
-        let TypeOfWord { room_type, unknown_word } = match self.words.room_type(NAME, &space.category) {
-            Some(found) => TypeOfWord::known(&space.category, found),
+        let code = space.category.as_deref().unwrap_or_default();
+        let TypeOfWord { room_type, unknown_word } = match self.words.room_type(NAME, code) {
+            Some(found) => TypeOfWord::known(code, found),
             None => {
-                self.unknown.entry(space.category.clone()).or_insert((place, 0)).1 += 1;
-                TypeOfWord::unknown(&space.category)
+                if !code.is_empty() {
+                    self.unknown.entry(code.to_owned()).or_insert((place, 0)).1 += 1;
+                }
+                TypeOfWord::unknown(code)
             }
         };
         let room = |(part, area): (usize, Rings)| {
