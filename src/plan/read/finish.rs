@@ -191,7 +191,10 @@ impl Provenance {
             // Nobody can be asked to mend a foreign file: what was left out is a warning, unless no building is so.
             Self::Foreign(file) => {
                 let fault = |level: &str, problem: Problem| {
-                    let message = format!("level \"{level}\": {}", problem.message);
+                    let named = format!("level \"{level}\"");
+                    let is_named = problem.message.starts_with(&named);
+                    let message =
+                        if is_named { problem.message } else { format!("{named}: {}", problem.message) };
                     let fault = Fault::of_file(file, message).with_some_hint(problem.hint);
                     if problem.is_impossible { fault } else { fault.as_warning() }
                 };
@@ -285,7 +288,7 @@ mod tests {
         let (building, messages) = finished(levels);
         let ids: Vec<&str> = building.levels.iter().map(|level| level.id.as_str()).collect();
         assert_eq!(ids, ["upper", "roof"]);
-        assert_eq!(messages[1], "level \"cellar\": level \"cellar\" has no room that can be read");
+        assert_eq!(messages[1], "level \"cellar\" has no room that can be read");
     }
 
     #[test]

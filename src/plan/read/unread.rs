@@ -59,6 +59,11 @@ pub(crate) const UNREAD_KINDS: &[UnreadKind] = &[
     kind("an image", is_image, OTHER_PLANS),
     kind("OpenStreetMap XML (.osm)", |file| file.is_xml("osm"), OTHER_PLANS),
     kind(
+        "OpenStreetMap JSON of Overpass",
+        |file| file.has(&["elements"]) && (file.has(&["osm3s"]) || file.has(&["version", "generator"])),
+        "ask Overpass for [out:xml], or export GeoJSON in Overpass Turbo",
+    ),
+    kind(
         "ifcXML",
         |file| file.is_xml("ifcXML") || file.is_xml("iso_10303_28"),
         "export it as IFC in the STEP encoding (.ifc)",
@@ -182,11 +187,21 @@ pub(super) fn refusal(path: &Path) -> Option<Fault> {
     let has_zeros = bytes.contains(&0) && path.metadata().is_ok_and(|found| found.len() <= FILE_SIZE_LIMIT);
     match recognise_head(path, bytes) {
         Some(kind) => Some(refused(path, kind)),
+        None if is_utf_16(path) => {
+            let hint = "save it with the encoding UTF-8";
+            Some(Fault::of_file(path, "is text in UTF-16, which is not read").with_hint(hint))
+        }
         None if has_zeros => {
             Some(Fault::of_file(path, "is no text, but a file of some program").with_hint(read_are()))
         }
         None => None,
     }
+}
+
+/// Whether a file begins as texts of Windows in two bytes a letter do.
+fn is_utf_16(path: &Path) -> bool {
+    let mark = head(path, 2);
+    mark == b"\xff\xfe" || mark == b"\xfe\xff"
 }
 
 /// The fault of a file of a kind that is not read.
@@ -231,6 +246,11 @@ mod tests {
             ),
             ("a.json", "{\"type\" : \"FeatureCollection\", \"features\": []}", "GeoJSON"),
             ("a.json", "{\"CityObjects\": {}", "CityJSON"),
+            (
+                "a.json",
+                "{\"version\": 0.6, \"generator\": \"Overpass API\", \"osm3s\": {}, \"elements\": []}",
+                "OpenStreetMap JSON of Overpass",
+            ),
             ("a.csv", "a,b\n", "a table (CSV)"),
             ("a.txt", "id;x;y\n1;2;3\n2;3;4\n", "a table (CSV)"),
             ("a.yaml", "version: 1\nclasses:\n  a: {}\n", "a file of a catalogue"),
@@ -238,6 +258,19 @@ mod tests {
         ];
         for (file, text, expected) in cases {
             assert_eq!(name(file, text), Some(expected), "{file}: {text}");
+        }
+    }
+
+    #[test]
+    fn text_in_two_bytes_a_letter_is_told_with_its_encoding() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("plan.yaml");
+        for bytes in [[0xff, 0xfe, b'v', 0], [0xfe, 0xff, 0, b'v']] {
+            std::fs::write(&path, bytes).unwrap();
+            let fault = refusal(&path).expect("a refusal");
+            assert!(
+                fault.message.contains("UTF-16") && fault.hint.is_some_and(|hint| hint.contains("UTF-8"))
+            );
         }
     }
 

@@ -106,11 +106,13 @@ impl SiteNotes {
             faults.push(warning(format!("building \"{id}\" is left out: {reason}")));
         }
         for Unreadable { id, key, value } in self.unreadable.iter().take(TOLD) {
-            faults.push(warning(format!("building \"{id}\": \"{key}\" is \"{value}\", which is no number")));
+            faults.push(warning(format!(
+                "building \"{id}\": \"{key}\" is \"{value}\", which is no number that a building has"
+            )));
         }
         for (count, what) in [
             (self.left_out.len(), "buildings are left out"),
-            (self.unreadable.len(), "values are no numbers"),
+            (self.unreadable.len(), "values are no numbers that buildings have"),
         ] {
             if count > TOLD {
                 faults.push(warning(format!("{} more {what}", count - TOLD)));
