@@ -24,13 +24,15 @@ const DIRECTORY_LIMIT: u64 = 8 << 20;
 /// Bytes of an entry that are read at most; deflate makes no text larger by more than a little.
 const ENTRY_LIMIT: u64 = TEXT_LIMIT + (1 << 20);
 
-/// Whether a file is a ZIP archive that holds a home.
+/// Whether a file is a ZIP archive that holds a home, or the damaged one of a home by its name.
 pub(super) fn is_archive(path: &Path) -> bool {
-    head(path, SIGNATURE.len() as u64) == SIGNATURE
-        && open(path).is_ok_and(|archive| {
-            let has = |name: &str| archive.index_for_name(name).is_some();
-            has(XML_ENTRY) || has(OLD_ENTRY)
-        })
+    if head(path, SIGNATURE.len() as u64) != SIGNATURE {
+        return false;
+    }
+    let Ok(archive) = open(path) else {
+        return path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("sh3d"));
+    };
+    [XML_ENTRY, OLD_ENTRY].iter().any(|name| archive.index_for_name(name).is_some())
 }
 
 /// The text of a home: of a ZIP archive its entry, else the file itself.

@@ -259,7 +259,7 @@ fn a_home_is_recognised_by_its_content() {
     assert!(paths.iter().all(|path| (FORMAT.recognises)(path)));
     let others = [
         ("a.sh3d", archive(&[("word/document.xml", b"<home/>")])),
-        ("b.sh3d", b"PK\x03\x04 and nothing more".to_vec()),
+        ("b.zip", b"PK\x03\x04 and nothing more".to_vec()),
         ("c.xml", b"<?xml version='1.0'?><!-- <home wallHeight='1'> --><house/>".to_vec()),
         ("d.xml", b"<homes wallHeight='1'/>".to_vec()),
         ("e.xml", b"<home><address/></home>".to_vec()),
@@ -319,6 +319,21 @@ fn a_damaged_archive_is_a_fault() {
     damaged[middle..middle + 40].fill(0);
     std::fs::write(&path, damaged).unwrap();
     assert!(try_read(&path).is_err());
+    std::fs::write(&path, &sound[..sound.len() - 100]).unwrap();
+    assert!((FORMAT.recognises)(&path), "a copy that is cut off is called a home");
+    let faults = try_read(&path).unwrap_err();
+    assert!(faults.0[0].message.starts_with("is no sound ZIP archive"), "{faults}");
+}
+
+#[test]
+fn an_archive_whose_home_is_no_xml_is_a_fault() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("home.sh3d");
+    for text in ["", "/etc/passwd"] {
+        std::fs::write(&path, archive(&[("Home.xml", text.as_bytes())])).unwrap();
+        let faults = try_read(&path).unwrap_err();
+        assert!(faults.to_string().contains("no elements, and so no home"), "{faults}");
+    }
 }
 
 #[test]

@@ -45,6 +45,9 @@ pub(super) fn read_home(notes: &mut Notes) -> Option<Home> {
     if builder.depth > 0 {
         notes.error(text.len(), "the text is cut off", "copy the file again: what came before is read");
     }
+    if !builder.is_home && !builder.has_begun {
+        notes.error(0, "the text has no elements, and so no home", SAVE_AGAIN);
+    }
     builder.count_left_out(notes);
     builder.is_home.then_some(builder.home)
 }
@@ -63,6 +66,8 @@ struct Builder {
     home: Home,
     /// Whether the outermost element was that of a home.
     is_home: bool,
+    /// Whether any element has begun.
+    has_begun: bool,
     /// Elements that have begun and not ended.
     depth: usize,
     /// Rooms, walls and pieces so far.
@@ -90,6 +95,7 @@ impl Builder {
     }
 
     fn begin(&mut self, start: &BytesStart<'_>, place: usize, notes: &mut Notes) {
+        self.has_begun = true;
         let name = start.name();
         let name = name.as_ref();
         if self.depth == 0 {
