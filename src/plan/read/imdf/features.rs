@@ -9,8 +9,13 @@ use serde::{Deserialize, Deserializer};
 use crate::document::Faults;
 use crate::plan::read::geojson::{Feature, Id, Table, id, optional_id, optional_ids, read_table};
 
-/// Text by language.
-pub(super) type Labels = BTreeMap<String, Option<String>>;
+/// Text by language; some programs write a text alone.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub(super) enum Labels {
+    ByLanguage(BTreeMap<String, Option<String>>),
+    Text(String),
+}
 
 /// Properties of a building.
 #[derive(Debug, Deserialize, JsonSchema)]
@@ -33,7 +38,7 @@ pub(super) struct LevelProperties {
 /// Properties of a unit.
 #[derive(Debug, Deserialize, JsonSchema)]
 pub(super) struct UnitProperties {
-    pub(super) category: String,
+    pub(super) category: Option<String>,
     #[serde(deserialize_with = "id")]
     #[schemars(with = "Id")]
     pub(super) level_id: String,
@@ -101,7 +106,14 @@ where
 /// The English text, else the first by language.
 pub(super) fn label(labels: Option<&Labels>) -> Option<String> {
     const PREFERRED: &str = "en";
-    let texts = labels?;
-    let english = texts.get(PREFERRED).and_then(Option::as_ref);
-    english.or_else(|| texts.values().flatten().next()).filter(|text| !text.trim().is_empty()).cloned()
+    let text = match labels? {
+        Labels::Text(text) => Some(text),
+        Labels::ByLanguage(texts) => {
+            let is_english = |language: &str| language.split(['-', '_']).next() == Some(PREFERRED);
+            let english =
+                texts.iter().filter(|(language, _)| is_english(language)).find_map(|(_, text)| text.as_ref());
+            english.or_else(|| texts.values().flatten().next())
+        }
+    };
+    text.filter(|text| !text.trim().is_empty()).cloned()
 }

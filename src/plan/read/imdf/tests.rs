@@ -10,7 +10,7 @@ use crate::geometry::Point;
 use crate::growth::growth;
 use crate::plan::read::reader::{DraftedBuilding, ReadBuildings, ReadResult};
 use crate::plan::read::real_data::{folder, words};
-use crate::plan::{GENERIC_ROOM_TYPE, LevelDraft, OpeningPlace, assemble_level};
+use crate::plan::{GENERIC_ROOM_TYPE, LevelDraft, OpeningPlace, RoomDraft, assemble_level};
 
 fn university() -> Option<Vec<DraftedBuilding>> {
     let path = folder("imdf-spbpu")?;
@@ -154,6 +154,31 @@ fn a_level_belongs_to_the_first_of_its_buildings_that_there_is() {
 }
 
 #[test]
+fn units_without_a_category_and_with_a_name_in_no_language_are_read() {
+    let read = sound(&[
+        ("unit.geojson", "\"category\": \"classroom\"", "\"category\": null"),
+        (
+            "unit.geojson",
+            "{\"ru\": \"\\u043a\\u043e\\u043c\\u043d\\u0430\\u0442\\u0430\", \"en\": \"Room 1\"}",
+            "\"Lab 7\"",
+        ),
+        ("unit.geojson", "\"en\": \"Hall\"", "\"en-US\": \"Hall\""),
+    ]);
+    let rooms: Vec<&RoomDraft> = read
+        .buildings
+        .iter()
+        .flat_map(|building| &building.draft.levels)
+        .flat_map(|level| &level.rooms)
+        .collect();
+    let room = |id: &str| rooms.iter().find(|room| room.id == id).expect("the unit");
+    assert_eq!(
+        (room("u-class").name.as_deref(), room("u-hall").name.as_deref()),
+        (Some("Lab 7"), Some("Hall"))
+    );
+    assert_eq!(room("u-class").room_type, "laboratory");
+}
+
+#[test]
 fn a_unit_that_is_called_no_more_than_a_room_has_the_type_of_its_name() {
     let type_of = |category: &str, name: &str| {
         let category = ("unit.geojson", "\"category\": \"classroom\"", category);
@@ -186,7 +211,7 @@ fn the_shared_buildings_stand_where_they_are_on_the_campus() {
 #[test]
 fn broken_files_give_faults_with_their_place() {
     let cases = [
-        ("unit.geojson", "\"category\": \"walkway\"", "\"category\": null", (5, "found nothing")),
+        ("unit.geojson", "\"category\": \"walkway\"", "\"category\": 7", (5, "found 7")),
         ("unit.geojson", "\"level_id\": \"level-a\", ", "", (5, "level_id")),
         ("unit.geojson", "\"features\": [", "\"features\": null, \"x\": [", (4, "found nothing")),
         ("level.geojson", "\"ordinal\": 1", "\"ordinal\": \"one\"", (5, "one")),

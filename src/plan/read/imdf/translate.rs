@@ -170,7 +170,7 @@ impl<'a> Translation<'a> {
     }
 
     fn room_type(&mut self, index: usize, unit: &Feature<UnitProperties>) -> TypeOfWord {
-        let word = unit.properties.category.as_str();
+        let word = unit.properties.category.as_deref().unwrap_or_default();
         let tenant = self.archive.occupants.get(&unit.id).and_then(|tenant| tenant.category.as_deref());
         let own = self.words.room_type(NAME, word);
         let lent = tenant.and_then(|category| self.words.room_type(NAME, category));
@@ -180,7 +180,9 @@ impl<'a> Translation<'a> {
         if let Some(found) = most_telling([own, lent, named].into_iter().flatten()) {
             return TypeOfWord::known(word, found);
         }
-        self.unknown.entry(word.to_owned()).or_insert((index, 0)).1 += 1;
+        if !word.is_empty() {
+            self.unknown.entry(word.to_owned()).or_insert((index, 0)).1 += 1;
+        }
         TypeOfWord::unknown(word)
     }
 
