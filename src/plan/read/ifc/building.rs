@@ -14,7 +14,7 @@ use super::placement::Geometry;
 use super::relations::Relations;
 use super::room_types::RoomTypes;
 use super::rooms::Naming;
-use super::storeyless::by_floors;
+use super::storeyless::{by_floors, storey_at};
 use crate::plan::read::drawn::DrawnPiece;
 use crate::plan::read::reader::DraftedBuilding;
 use crate::plan::read::recentred::{recentring, shift};
@@ -76,23 +76,31 @@ pub(super) fn buildings(
     drafted
 }
 
-/// The storeys of a building with the rooms of their spaces, which are taken out of `spaces`; then those of spaces without a storey.
+/// The storeys of a building with the rooms of their spaces, which are taken out of `spaces`; then those of spaces that are on none.
 fn storeys(
     Products { geometry, relations, frame, .. }: &Products<'_>,
     home: &Home,
     spaces: &mut BTreeMap<u64, Vec<Entity>>,
     naming: &mut Naming<'_>,
 ) -> Vec<Storey> {
+    // Under 0 are the spaces of no building.
+    let building = geometry.model.get(home.id).ok().filter(|building| building.is(&[BUILDING]));
+    let held = building.as_ref().and_then(|building| spaces.remove(&building.id)).unwrap_or_default();
+    let mut apart = Vec::new();
+    for (floor, own) in by_floors(geometry, frame, held) {
+        match storey_at(geometry, frame, &home.storeys, floor) {
+            Some(number) => spaces.entry(home.storeys[number].id).or_default().extend(own),
+            None => apart.push(own),
+        }
+    }
     let mut storeys: Vec<Storey> = Vec::new();
     for storey in &home.storeys {
         let own = spaces.remove(&storey.id).unwrap_or_default();
         storeys.push(Storey::read(geometry, frame, storey, Spaces { own: &own, relations, naming }));
     }
-    // Under 0 are the spaces of no building.
-    if let Some(building) = geometry.model.get(home.id).ok().filter(|building| building.is(&[BUILDING])) {
-        let held = spaces.remove(&building.id).unwrap_or_default();
-        for own in by_floors(geometry, frame, held) {
-            let spaces = Spaces { own: &own, relations, naming };
+    if let Some(building) = building {
+        for own in &apart {
+            let spaces = Spaces { own, relations, naming };
             storeys.push(Storey::read(geometry, frame, &building, spaces).without_storey());
         }
     }

@@ -121,7 +121,7 @@ impl Storey {
 
 /// Metres of a storey in the building's axes. Files disagree whether the placement or the attribute says it: the one
 /// nearer to the floor of the rooms does.
-fn elevation(geometry: &Geometry<'_>, frame: &DAffine3, storey: &Entity, floor: f64) -> f64 {
+pub(super) fn elevation(geometry: &Geometry<'_>, frame: &DAffine3, storey: &Entity, floor: f64) -> f64 {
     let placed = geometry.model.sound(geometry.place(storey)).map(|place| (*frame * place).translation.z);
     let said = storey.value(9).number().map(|number| number * geometry.units.length);
     let off = |height: &f64| if floor.is_finite() { (height - floor).abs() } else { 0.0 };

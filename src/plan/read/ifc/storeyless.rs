@@ -1,14 +1,31 @@
-//! Spaces that a building holds itself, without a storey, as small programs write them: each height of floors is a storey.
+//! Spaces that a building holds itself, without a storey, as small programs write them: they are on the storey on which their floors
+//! lie, else each height of floors is one.
 
 use glam::DAffine3;
 
-use super::level::LOWEST_STOREY;
+use super::level::{LOWEST_STOREY, elevation};
 use super::model::Entity;
 use super::placement::Geometry;
 use super::solid::IfcBody;
 
-/// The spaces of each height of floors, the lowest first; those of one height in their order.
-pub(super) fn by_floors(geometry: &Geometry<'_>, frame: &DAffine3, spaces: Vec<Entity>) -> Vec<Vec<Entity>> {
+/// The number of the storey whose floor lies at a height, if there is one.
+pub(super) fn storey_at(
+    geometry: &Geometry<'_>,
+    frame: &DAffine3,
+    storeys: &[Entity],
+    floor: f64,
+) -> Option<usize> {
+    let distance = |number: &usize| (elevation(geometry, frame, &storeys[*number], floor) - floor).abs();
+    let nearest = (0..storeys.len()).min_by(|one, other| distance(one).total_cmp(&distance(other)));
+    nearest.filter(|number| distance(number) < LOWEST_STOREY / 2.0)
+}
+
+/// The heights of floors in metres with their spaces, the lowest first; those of one height in their order.
+pub(super) fn by_floors(
+    geometry: &Geometry<'_>,
+    frame: &DAffine3,
+    spaces: Vec<Entity>,
+) -> Vec<(f64, Vec<Entity>)> {
     let mut spaces: Vec<(f64, Entity)> =
         spaces.into_iter().map(|space| (floor_of(geometry, frame, &space), space)).collect();
     spaces.sort_by(|one, other| one.0.total_cmp(&other.0));
@@ -19,7 +36,7 @@ pub(super) fn by_floors(geometry: &Geometry<'_>, frame: &DAffine3, spaces: Vec<E
             _ => storeys.push((floor, vec![space])),
         }
     }
-    storeys.into_iter().map(|(_, storey)| storey).collect()
+    storeys
 }
 
 /// Metres of the lowest point of a space, of one without a body of its place; faults are reported where its room is read.

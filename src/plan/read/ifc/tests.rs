@@ -297,6 +297,12 @@ fn spaces_that_a_building_holds_itself_are_on_a_storey_for_each_height_of_their_
         levels.iter().map(|level| (level.elevation, ids(level))).collect()
     };
     assert_eq!(rooms(&found.buildings[0].draft.levels), rooms(&usual.buildings[0].draft.levels));
+    // Those of the upper floor alone, which lie on a storey that there is.
+    let upper = text.replace("$,$,$,#22,(#130,#140,#150)", "$,$,$,#16,(#130,#140,#150)");
+    let found = read_bytes(upper.as_bytes()).unwrap();
+    let (found, usual) = (&found.buildings[0].draft.levels, &usual.buildings[0].draft.levels);
+    assert_eq!(rooms(found), rooms(usual));
+    assert_eq!(found[1].name, "1. Obergeschoss");
 }
 
 #[test]
