@@ -5,6 +5,7 @@ mod drawn;
 #[cfg(test)]
 mod example;
 mod finish;
+mod fit_ids;
 pub(crate) mod footprint;
 mod foreign;
 mod geojson;
@@ -49,6 +50,7 @@ pub(crate) use {native::PlanFile, project::ProjectFile};
 
 pub use self::drawn::DrawnPiece;
 pub(crate) use self::finish::finish_draft;
+use self::fit_ids::{fit_building_id, fit_ids};
 pub(crate) use self::footprint::{Projection, SiteNotes, code_of};
 use self::inputs::{Input, find_inputs};
 use self::native::{NativeDraft, read_native};
@@ -274,12 +276,15 @@ fn read_drafts(path: &Path, options: &PlanOptions<'_>) -> Drafts {
     };
     match (format.read)(path, options) {
         Ok(ReadBuildings { buildings, faults, origin }) => {
-            let drafted = |DraftedBuilding { id, draft, placement, is_settled }| Drafted {
-                is_settled: is_settled && !options.is_for_writing,
-                id,
-                draft,
-                placement,
-                provenance: Provenance::Foreign(path.to_owned()),
+            let drafted = |DraftedBuilding { id, mut draft, placement, is_settled }| {
+                fit_ids(&mut draft);
+                Drafted {
+                    is_settled: is_settled && !options.is_for_writing,
+                    id: fit_building_id(&id),
+                    draft,
+                    placement,
+                    provenance: Provenance::Foreign(path.to_owned()),
+                }
             };
             Drafts { drafts: buildings.into_iter().map(drafted).collect(), faults, origin, is_project: false }
         }

@@ -105,6 +105,7 @@
 use std::path::Path;
 
 use super::drawn::DrawnPiece;
+use super::fit_ids::fit_building_id;
 use super::reader::{ForeignFormat, ReadFormat};
 use super::{archilyse, honeybee, ifc, imdf, indoor, outlines, resplan, sweet_home, swiss_dwellings};
 use crate::document::Faults;
@@ -153,7 +154,10 @@ pub fn read_formats() -> Vec<ReadFormat> {
 /// Why the file cannot be read.
 pub fn drawn_furniture(path: &Path, options: &PlanOptions<'_>) -> Result<Vec<DrawnPiece>, Faults> {
     let format = FOREIGN_FORMATS.iter().find(|format| (format.recognises)(path));
-    format.and_then(|format| format.furniture).map_or_else(|| Ok(Vec::new()), |read| read(path, options))
+    let Some(read) = format.and_then(|format| format.furniture) else { return Ok(Vec::new()) };
+    let mut pieces = read(path, options)?;
+    pieces.iter_mut().for_each(|piece| piece.building = fit_building_id(&piece.building));
+    Ok(pieces)
 }
 
 #[cfg(test)]

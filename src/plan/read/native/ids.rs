@@ -5,7 +5,7 @@ use crate::document::is_unprintable;
 /// Letters that some system rejects in file names.
 pub(crate) const FILE_NAME_FORBIDDEN: &[char] = &['/', '\\', ':', '*', '?', '"', '<', '>', '|'];
 /// Letters that would make a node's name a path.
-pub(super) const NODE_NAME_FORBIDDEN: &[char] = &['/'];
+pub(crate) const NODE_NAME_FORBIDDEN: &[char] = &['/'];
 /// Most bytes of an id: file systems take 255 for a name with its ending.
 const ID_LENGTH_LIMIT: usize = 200;
 

@@ -22,7 +22,7 @@ use crate::plan::{BuildingDraft, RoomWords};
 
 pub(crate) use built::NativeChecks;
 pub(crate) use file::{PlanFile, VERSION};
-pub(crate) use ids::{FILE_NAME_FORBIDDEN, id_fault};
+pub(crate) use ids::{FILE_NAME_FORBIDDEN, NODE_NAME_FORBIDDEN, id_fault};
 pub(crate) use numbers::number_of_id;
 pub(crate) use origins::{LevelOrigins, ProblemList};
 pub(crate) use pattern::{PatternValues, expand as expand_pattern, names_value};
