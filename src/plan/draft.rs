@@ -7,7 +7,8 @@
 //! - lengths in metres, angles in radians; x east, y north, in one frame for all levels of a building. Heights
 //!   of openings, columns and ceilings are above the floor of their level. Where the frame is on the site is said beside the draft
 //!   (`placement` of the `DraftedBuilding`);
-//! - coordinates near the origin: beyond 100 km no part is read (`limits::COORDINATE`), and digits are lost long before;
+//! - coordinates near the origin: beyond 100 km no part is read (`limits::COORDINATE`), and digits are lost long before. Those of a
+//!   country are moved with `read/recentred.rs`;
 //! - room types that exist. Those of `RoomWords` do; any other word is not checked for foreign formats, and its room stays empty;
 //! - levels from the lowest up, without those that have no room.
 //!
@@ -25,6 +26,7 @@
 //! It mends:
 //! - height, elevation and thicknesses of a level beyond their limits, and ceilings below 1 m: usual values are taken;
 //! - numbers of rooms that are used twice: the later room gets another;
+//! - ids of foreign files that no native plan takes, as with `/`, empty or too long (`read/fit_ids.rs`);
 //! - closing points, repeated corners, spikes and corners on straight lines of outlines, in silence; unsound holes, which are
 //!   filled; rooms upon each other, as [`LevelDraft::rooms`] says;
 //! - windows along several walls, which become several; leaves into a room on neither side, whose side is chosen.
