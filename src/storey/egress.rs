@@ -23,7 +23,7 @@ pub(super) fn too_far_out(partition: &Partition<'_>, links: &Links, is_ground: b
         return None;
     }
     let metres = metres_out(partition, links, is_ground);
-    let middles: Vec<Point> = partition.cells.iter().map(|cell| middle_of(&cell.ring)).collect();
+    let middles: Vec<Point> = (0..partition.cells.len()).map(|room| middle_of(partition, room)).collect();
     let mut nearest = vec![f64::INFINITY; partition.cells.len()];
     for (link, metres) in links.links.iter().zip(&metres) {
         for room in rooms_of(link.rooms) {
@@ -36,10 +36,21 @@ pub(super) fn too_far_out(partition: &Partition<'_>, links: &Links, is_ground: b
     far.reduce(|a, b| if b.1 > a.1 { b } else { a }).filter(|(_, metres)| *metres > LONGEST)
 }
 
-/// The middle of the widest part of a ring on a line across its middle: it is inside, whatever the ring's form.
-fn middle_of(ring: &[Point]) -> Point {
+/// The middle of a room within its walls.
+fn middle_of(partition: &Partition<'_>, room: usize) -> Point {
+    let faces: Vec<Point> = partition.faces[room].iter().map(|face| face.start).collect();
+    middle_of_ring(if faces.is_empty() { &partition.cells[room].ring } else { &faces })
+}
+
+/// The middle of the widest part of a ring on a line across its middle: it is inside, whatever the ring's form. The line runs
+/// midway between the corners next to the middle, so that it meets none (the interior point of areas of the JTS Topology Suite).
+fn middle_of_ring(ring: &[Point]) -> Point {
     let extent = bounds(ring);
-    let y = extent.center().y;
+    let middle = extent.center().y;
+    let heights = || ring.iter().map(|corner| corner.y);
+    let above = heights().filter(|y| *y > middle).fold(extent.high.y, f64::min);
+    let below = heights().filter(|y| *y <= middle).fold(extent.low.y, f64::max);
+    let y = 0.5 * (above + below);
     let mut crossings: Vec<f64> = edges(ring)
         .filter(|edge| (edge.start.y > y) != (edge.end.y > y))
         .map(|edge| {
@@ -129,6 +140,13 @@ mod tests {
     #[test]
     fn the_middle_of_an_l_is_inside() {
         let corners = [(0., 0.), (9., 0.), (9., 1.), (1., 1.), (1., 9.), (0., 9.)].map(Point::from);
-        assert_eq!(middle_of(&corners), Point::new(0.5, 4.5));
+        assert_eq!(middle_of_ring(&corners), Point::new(0.5, 5.0));
+    }
+
+    #[test]
+    fn the_line_across_the_middle_meets_no_corner() {
+        // A spur of a hall begins just at half its height.
+        let corners = [(0., 0.), (8., 0.), (8., 4.5), (20., 4.5), (20., 6.), (8., 6.), (8., 9.), (0., 9.)];
+        assert_eq!(middle_of_ring(&corners.map(Point::from)), Point::new(10.0, 5.25));
     }
 }
