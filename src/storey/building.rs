@@ -20,7 +20,7 @@ use super::flats::flats;
 use super::footprint::{Footprint, Site};
 use super::house::house;
 use super::links::{Link, Links, link};
-use super::open::{one_room, open_plan, within_limits};
+use super::open::{WAYS, one_room, open_plan, within_limits};
 use super::plate::Outline;
 use super::spine::Ground;
 use super::street_level::street_level;
@@ -235,7 +235,8 @@ fn simplest(sketch: Sketch<'_>) -> (Vec<Storey>, u32) {
         }
         levels
     };
-    for cells in (0..TRIES).filter_map(|attempt| open_plan(grounds, &plain, typologies, attempt)) {
+    for mut cells in (0..WAYS.len()).filter_map(|attempt| open_plan(grounds, &plain, typologies, attempt)) {
+        trade_thin_parts(&mut cells, Rules { typologies, fixed: None });
         let storeys = levels(cells);
         if storeys.iter().all(|storey| storey.fault.is_none()) {
             return (storeys, 2);

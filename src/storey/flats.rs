@@ -89,7 +89,11 @@ pub(super) fn flats(
 /// A flat of one room in a section whose form leaves no other: stairs first, then the room and its bath.
 fn loft(section: &Ground, typologies: &Typologies, unit: &mut usize) -> Option<Vec<Cell>> {
     let services = [("stairs", LOFT_STAIRS), ("bathroom", LOFT_BATH)];
-    let mut cells = part_cells(section, End { services: &services, has_stairs: true, typologies }, "studio")?;
+    let mut cells = part_cells(
+        section,
+        End { services: &services, has_stairs: true, typologies, is_careful: false },
+        "studio",
+    )?;
     for cell in cells.iter_mut().filter(|cell| cell.room_type != "stairs") {
         cell.unit = Some(*unit);
     }

@@ -9,13 +9,18 @@ use super::flats::sections;
 use super::links::LEAST_BORDER;
 use super::ring::{Axis, Ring, along, area, bounds, join, on_grid, shared_length, split};
 use super::spine::{Ground, cut_along, extent, settle, turned_ring_back};
+use super::thin::leave_thin_parts;
 use super::typology::Typologies;
 
 /// Metres of the depth of the small rooms, and with stairs among them.
 const DEPTH: (f64, f64) = (3.0, 4.6);
-/// Square metres of a part of a storey with stairs of its own, so that nobody walks far to them: the usual ones, and smaller ones
-/// where these are too far from each other.
-const PARTS: [f64; 2] = [700.0, 320.0];
+/// Ways of dividing a storey, the usual one first.
+pub(super) const WAYS: [Way; 4] = [
+    Way { with_stairs: 700.0, without_stairs: f64::INFINITY, is_careful: false },
+    Way { with_stairs: 320.0, without_stairs: 6_000.0, is_careful: false },
+    Way { with_stairs: 700.0, without_stairs: 6_000.0, is_careful: true },
+    Way { with_stairs: 320.0, without_stairs: 2_500.0, is_careful: true },
+];
 /// Metres of the depth of stairs that take a whole end.
 const WHOLE_ENDS: [f64; 3] = [2.6, 4.0, 6.0];
 /// Metres of the width of stairs at least.
@@ -25,14 +30,35 @@ const STAIRS: f64 = 13.0;
 /// Share of the storey that small rooms take at most.
 const MOST_SHARE: f64 = 0.4;
 
-/// One level, alike on all storeys; `None` where there is no place for the small rooms. Later attempts have more stairs.
+/// A way of dividing an open storey.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Way {
+    /// Square metres of a part with stairs of its own, about, so that nobody walks far to them.
+    with_stairs: f64,
+    /// Square metres of a part of the only storey at most: the middle of a larger one is far from all outer walls.
+    without_stairs: f64,
+    /// Whether small rooms are only where they leave no thin part beside them.
+    is_careful: bool,
+}
+
+impl Way {
+    /// Parts of a piece of the storey.
+    fn parts(self, area: f64, has_stairs: bool) -> usize {
+        let count =
+            if has_stairs { (area / self.with_stairs).round() } else { (area / self.without_stairs).ceil() };
+        count as usize
+    }
+}
+
+/// One level, alike on all storeys; `None` where there is no place for the small rooms. Later attempts have more stairs or more
+/// parts, then fewer places for small rooms.
 pub(super) fn open_plan(
     grounds: &[Ground],
     brief: &Brief<'_>,
     typologies: &Typologies,
     attempt: usize,
 ) -> Option<Vec<Cell>> {
-    let part_area = PARTS[attempt.min(PARTS.len() - 1)];
+    let way = WAYS[attempt.min(WAYS.len() - 1)];
     let main = brief.typology.main.as_deref()?;
     let has_stairs = brief.storeys > 1;
     let all = brief.typology.services.iter().map(|(room_type, area)| (room_type.as_str(), *area));
@@ -41,11 +67,11 @@ pub(super) fn open_plan(
     for (index, ground) in grounds.iter().enumerate() {
         let is_joined = || cells.iter().any(|cell| shared_length(&cell.ring, &ground.ring) >= LEAST_BORDER);
         // Pieces that were cut at a courtyard are reached from others; what stands apart has stairs of its own.
-        if index > 0 && area(&ground.ring) < part_area && is_joined() {
+        if index > 0 && area(&ground.ring) < way.with_stairs && is_joined() {
             cells.push(Cell::shared(ground.ring.clone(), main));
             continue;
         }
-        let count = if has_stairs { (area(&ground.ring) / part_area).round() as usize } else { 1 };
+        let count = way.parts(area(&ground.ring), has_stairs);
         for (part, ring) in sections(ground, ground.ring.clone(), count).into_iter().enumerate() {
             let is_first = index == 0 && part == 0;
             let services = if is_first { all.clone() } else { all[..usize::from(has_stairs)].to_vec() };
@@ -53,7 +79,7 @@ pub(super) fn open_plan(
             let cut = if services.is_empty() {
                 Some(whole())
             } else {
-                let end = End { services: &services, has_stairs, typologies };
+                let end = End { services: &services, has_stairs, typologies, is_careful: way.is_careful };
                 part_cells(&ground.part(ring.clone()), end, main)
             };
             // Other parts are reached through the first, where they have no place for stairs.
@@ -72,6 +98,14 @@ pub(super) struct End<'a> {
     pub(super) has_stairs: bool,
     /// What rooms need.
     pub(super) typologies: &'a Typologies,
+    /// Whether nothing thin may be left beside the small rooms.
+    pub(super) is_careful: bool,
+}
+
+impl End<'_> {
+    fn allows(self, ground: &Ground, room: &Ring, small: &[Ring]) -> bool {
+        !self.is_careful || !leave_thin_parts(&ground.ring, room, small)
+    }
 }
 
 /// A large room and the small ones at its end.
@@ -96,7 +130,7 @@ fn with_services(ground: &Ground, end: End<'_>) -> Option<(Ring, Vec<Ring>)> {
             return Some((room, small));
         }
         if services.len() == 1 && end.has_stairs {
-            return whole_end(ground).map(|(room, stairs)| (room, vec![stairs]));
+            return whole_end(ground, end).map(|(room, stairs)| (room, vec![stairs]));
         }
         services = &services[..services.len() - 1];
     }
@@ -104,7 +138,7 @@ fn with_services(ground: &Ground, end: End<'_>) -> Option<(Ring, Vec<Ring>)> {
 }
 
 /// Stairs across a whole end of the ground, where no smaller ones have a place: the large room and the stairs.
-fn whole_end(ground: &Ground) -> Option<(Ring, Ring)> {
+fn whole_end(ground: &Ground, wanted: End<'_>) -> Option<(Ring, Ring)> {
     let ways = [Axis::X, Axis::Y].into_iter().flat_map(|axis| [(axis, false), (axis, true)]);
     let cuts = ways.flat_map(|(axis, is_top)| WHOLE_ENDS.map(|depth| (axis, is_top, depth)));
     let ends = cuts.filter_map(|(axis, is_top, depth)| {
@@ -118,7 +152,9 @@ fn whole_end(ground: &Ground) -> Option<(Ring, Ring)> {
         let is_settled = settle(end.chain(rest).collect(), &mut rings, |_| 1.0).is_empty();
         let [room, stairs] = <[Ring; 2]>::try_from(rings).ok()?;
         let is_fit = is_as_wide_as(&stairs, LEAST_STAIRS) && shared_length(&room, &stairs) >= LEAST_BORDER;
-        (is_settled && is_fit && area(&stairs) < MOST_SHARE * area(&ground.ring)).then_some((room, stairs))
+        let is_small = area(&stairs) < MOST_SHARE * area(&ground.ring);
+        let is_allowed = wanted.allows(ground, &room, std::slice::from_ref(&stairs));
+        (is_settled && is_fit && is_small && is_allowed).then_some((room, stairs))
     });
     ends.reduce(|best, next| if area(&next.1) < area(&best.1) { next } else { best })
 }
@@ -130,7 +166,8 @@ fn best_end(ground: &Ground, end: End<'_>, is_turned: bool) -> Option<(f64, Ring
     let back = |ring: &Ring| if is_turned { turned_ring_back(ring) } else { ring.clone() };
     let ends = [false, true].into_iter().flat_map(|is_top| [(is_top, false), (is_top, true)]);
     let ends = ends.filter_map(|(is_top, is_right)| {
-        let (cost, room, small) = at_end(framed, end, is_top, is_right)?;
+        let found = at_end(framed, end, is_top, is_right);
+        let (cost, room, small) = found.filter(|(_, room, small)| end.allows(framed, room, small))?;
         // Nobody should walk far to the stairs.
         let stairs = small.first().filter(|_| end.has_stairs).map(|ring| bounds(ring).center());
         let way = stairs.map_or(0.0, |at| at.distance(bounds(&framed.ring).center()));
@@ -242,4 +279,45 @@ pub(super) fn one_room(grounds: &[Ground], room_type: &str) -> Vec<Cell> {
         }
     }
     rings.into_iter().map(|ring| Cell::shared(ring, room_type)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::geometry::Point;
+
+    use super::super::facade::{Around, look_out};
+    use super::*;
+
+    #[test]
+    fn careful_stairs_leave_nothing_thin_beside_a_corner_of_the_outline() {
+        // Two legs that end at a neighbour: stairs in the right one part it 0.1 m beside its inner corner.
+        let corners = [
+            (-11.567, 5.27),
+            (-10.914, -5.459),
+            (9.944, -5.502),
+            (10.325, 5.073),
+            (5.63, 5.008),
+            (5.572, 1.701),
+            (0.522, 1.747),
+            (0.456, 5.0),
+        ];
+        let ring: Ring = corners.map(Point::from).into();
+        let neighbour = [(-13.0, 5.3), (12.0, 5.3), (12.0, 15.0), (-13.0, 15.0)].map(Point::from);
+        let around = Around {
+            neighbours: vec![neighbour.into()],
+            entrances: vec![Point::new(-11.3, -0.1)],
+            streets: vec![],
+        };
+        let ground = Ground { facade: look_out(&ring, &[], &around), ring, wall: 0.0 };
+        let catalog = crate::catalog::load_catalog(&[]).expect("the built-in catalogue is sound").value;
+        let leaves_thin_parts = |is_careful: bool| {
+            let services = [("stairs", STAIRS), ("storeroom", 10.0), ("toilet", 2.5)];
+            let end =
+                End { services: &services, has_stairs: true, typologies: &catalog.typologies, is_careful };
+            let cells = part_cells(&ground, end, "shop").expect("there is a place for them");
+            let rings: Vec<Ring> = cells.into_iter().map(|cell| cell.ring).collect();
+            leave_thin_parts(&ground.ring, &rings[0], &rings[1..])
+        };
+        assert!(leaves_thin_parts(false) && !leaves_thin_parts(true));
+    }
 }

@@ -198,6 +198,18 @@ fn nobody_is_far_from_stairs_or_doors() {
 }
 
 #[test]
+fn halls_whose_middle_is_far_from_all_walls_are_parted() {
+    let offices = alone(rectangle(0.0, 0.0, 110.0, 110.0), 1.0, "office");
+    assert_eq!(
+        (offices.report.typology.as_str(), offices.report.rung),
+        ("office_open", 0),
+        "{:?}",
+        offices.report
+    );
+    assert_eq!(rooms_of(&offices, 0, "office").len(), 2);
+}
+
+#[test]
 fn what_nobody_can_stand_in_is_no_building() {
     let site = site(vec![footprint("strip", rectangle(0.0, 0.0, 9.0, 0.6), 1.0, "shed")]);
     let around = Neighbourhood::new(&site);

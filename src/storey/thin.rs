@@ -36,6 +36,8 @@ const CORNER: f64 = 0.02;
 const MOST_AREA: f64 = 0.06;
 /// Two edges enclose a thin part where their directions differ by less than this from opposite ones (cosine of 40 degrees).
 const OPPOSITE: f64 = -0.76;
+/// The same where a closer look follows: of two wider corners with a neck between them, each is small (cosine of 62 degrees).
+const NEARLY_OPPOSITE: f64 = -0.47;
 /// Metres of border beyond which a room takes a thin part of its neighbour.
 const TAKING_BORDER: f64 = 0.15;
 /// Of what a room keeps, the share that it may give away with a thin part, because that alone joined it.
@@ -61,11 +63,18 @@ struct ThinPart {
 
 /// The thin parts of a ring, the largest first.
 fn thin_parts(ring: &[Point], below: f64) -> Vec<ThinPart> {
+    thin_parts_between(ring, below, OPPOSITE)
+}
+
+/// The thin parts of a ring between edges whose directions have no larger cosine, the largest first.
+fn thin_parts_between(ring: &[Point], below: f64, opposite: f64) -> Vec<ThinPart> {
     let all: Vec<Segment> = edges(ring).collect();
     let mut found: Vec<ThinPart> = Vec::new();
     for (index, &edge) in all.iter().enumerate() {
         for &other in &all[index + 1..] {
-            found.extend(between(edge, other, below).filter(|part| ring_contains(ring, part.middle)));
+            if edge.direction().dot(other.direction()) <= opposite {
+                found.extend(between(edge, other, below).filter(|part| ring_contains(ring, part.middle)));
+            }
         }
     }
     found.sort_by(|a, b| b.area.total_cmp(&a.area));
@@ -73,12 +82,9 @@ fn thin_parts(ring: &[Point], below: f64) -> Vec<ThinPart> {
     found
 }
 
-/// The thin part to the left of an edge and of another that runs the other way.
+/// The thin part to the left of an edge and of another that runs the other way, more or less.
 fn between(edge: Segment, other: Segment, below: f64) -> Option<ThinPart> {
     let direction = edge.direction();
-    if direction.dot(other.direction()) > OPPOSITE {
-        return None;
-    }
     let place = |point: Point| ((point - edge.start).dot(direction), edge.normal().dot(point - edge.start));
     // The other edge runs back: from its end to its start is along this one.
     let ((near, near_width), (far, far_width)) = (place(other.end), place(other.start));
@@ -165,11 +171,17 @@ pub(super) fn has_thin_parts(ring: &[Point]) -> bool {
     thin_area(ring) > MOST_AREA
 }
 
+/// Whether cutting a room and small ones out of a whole leaves thin parts that the whole has not, or a small room with any.
+pub(super) fn leave_thin_parts(whole: &[Point], room: &[Point], small: &[Ring]) -> bool {
+    thin_area(room) > thin_area(whole) + MOST_AREA || small.iter().any(|ring| has_thin_parts(ring))
+}
+
 /// Whether a part of a room between its inner faces is too narrow for any use.
 pub(super) fn has_slivers(faces: &[Segment]) -> bool {
     let ring: Ring = faces.iter().map(|face| face.start).collect();
-    let estimated = total_area(&thin_parts(&ring, SLIVER_WIDTH));
-    estimated > SLIVER_DOUBT.1 || estimated > SLIVER_DOUBT.0 && largest_sliver(&ring) > SLIVER_AREA
+    let is_surely = || total_area(&thin_parts(&ring, SLIVER_WIDTH)) > SLIVER_DOUBT.1;
+    let estimated = total_area(&thin_parts_between(&ring, SLIVER_WIDTH, NEARLY_OPPOSITE));
+    estimated > SLIVER_DOUBT.0 && (is_surely() || largest_sliver(&ring) > SLIVER_AREA)
 }
 
 /// Square metres of the largest part that no disc as wide as the narrowest part of use reaches: what an opening by that disc takes
@@ -404,6 +416,28 @@ mod tests {
         let mut areas: Vec<f64> = without_thin_parts(neck).iter().map(|piece| area(piece)).collect();
         areas.sort_by(f64::total_cmp);
         assert_eq!(areas, [15.0, 20.0]);
+    }
+
+    #[test]
+    fn what_two_corners_and_a_neck_leave_is_a_sliver() {
+        // Each alone is less than a sliver: a corner of 45 degrees, and the neck at the inner corner before it.
+        let corridor =
+            ring([(0., 3.89), (0., 0.), (1.22, 0.), (1.22, 4.55), (2.52, 4.55), (2.52, 5.86), (0.45, 3.89)]);
+        // A bit of 0.2 m beside the end of an oblique wall.
+        let living_room = ring([
+            (-4.343, -4.851),
+            (-1.34, -1.831),
+            (-1.149, -1.947),
+            (-1.149, -1.62),
+            (-2.97, -1.62),
+            (-2.97, 0.575),
+            (-8.33, 0.575),
+            (-8.33, -2.091),
+        ]);
+        let oblique = ring([(0., 0.), (4., 0.), (4., 3.), (0., 1.)]);
+        let faces = |ring: &Ring| edges(ring).collect::<Vec<Segment>>();
+        assert!(has_slivers(&faces(&corridor)) && has_slivers(&faces(&living_room)));
+        assert!(!has_slivers(&faces(&oblique)));
     }
 
     #[test]
