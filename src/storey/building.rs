@@ -88,6 +88,8 @@ pub(super) struct Storey {
     pub(super) links: Links,
     /// Its windows.
     pub(super) windows: Vec<Window>,
+    /// Metres of its outer walls.
+    pub(super) wall: f64,
     /// What is wrong with it, if anything is.
     fault: Option<String>,
 }
@@ -119,7 +121,7 @@ pub(crate) fn plan_building(
     let kinds = briefs(footprint, measures, typologies, choices);
     let mut refused = Vec::new();
     for (rung, brief) in kinds.iter().enumerate() {
-        let grounds = outline.grounds(brief.typology.exterior, brief.storeys);
+        let grounds = outline.grounds_that_fill(brief.typology.exterior, brief.storeys);
         if grounds.is_empty() {
             refused.push(format!("{}: the walls leave no floor", brief.name));
             continue;
@@ -214,7 +216,8 @@ fn storey(sketch: Sketch<'_>, cells: Vec<Cell>, is_ground: bool, stream: &mut St
     let windows = windows(&grounds[0], &partition, Taken { doors: &all_doors, ends: &ends });
     let fault = first_fault(grounds, &partition, &links, &windows, is_ground);
     let cells = cells.into_iter().chain(outside).collect();
-    Storey { cells, links: Links { links: all_doors, ..links }, windows, fault }
+    let wall = grounds[0].wall.max(THINNEST_WALL);
+    Storey { cells, links: Links { links: all_doors, ..links }, windows, wall, fault }
 }
 
 /// Storeys that always come out: open ones with stairs, or one room on each.

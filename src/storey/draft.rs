@@ -41,7 +41,7 @@ pub(super) fn level_draft(storey: &Storey, number: usize, brief: &Brief<'_>) -> 
         name: String::new(),
         elevation: height * number as f64,
         height,
-        exterior_thickness: brief.typology.exterior,
+        exterior_thickness: storey.wall,
         interior_thickness: brief.typology.interior,
         outlines: OutlineKind::Center,
         rooms: rooms.collect(),

@@ -22,9 +22,15 @@ const MITRE_LIMIT: f64 = 4.0;
 /// Square metres below which a piece that no other borders on is no floor, and with stairs of its own.
 const LEAST_ISLAND: (f64, f64) = (2.0, 15.0);
 /// The same as a share of the storey.
-const ISLAND_SHARE: f64 = 0.05;
+const ISLAND_SHARE: f64 = 0.04;
 /// Pieces below this many square metres are no floor.
 const LEAST_PIECE: f64 = 1.0;
+/// Pieces below this many square metres are no room of their own: they join the one that they were cut from.
+const LEAST_OWN: f64 = 15.0;
+/// Metres of the outer walls of buildings with wings too narrow for thicker ones.
+const THIN_WALL: f64 = 0.12;
+/// Share of the outline that may be lost with such wings.
+const MOST_LOST: f64 = 0.045;
 
 /// A building's outline in its frame.
 #[derive(Clone, Debug)]
@@ -82,6 +88,33 @@ impl Outline {
         length(|class| class == super::facade::EdgeClass::Party) / length(|_| true).max(0.1)
     }
 
+    /// As [`Self::grounds`]; inside thin walls where those of this thickness leave no floor in a wing.
+    pub(super) fn grounds_that_fill(&self, wall: f64, storeys: u32) -> Vec<Ground> {
+        let usual = self.grounds(wall, storeys);
+        if wall <= THIN_WALL || usual.is_empty() || self.lost(&usual) < MOST_LOST {
+            return usual;
+        }
+        let thin = self.grounds(THIN_WALL, storeys);
+        if self.lost(&thin) < MOST_LOST { thin } else { usual }
+    }
+
+    /// Share of the outline that is neither floor nor wall around it; about where little is.
+    fn lost(&self, grounds: &[Ground]) -> f64 {
+        let wall = grounds.first().map_or(0.0, |ground| ground.wall);
+        if let [ground] = grounds {
+            let walls: f64 = edges(&ground.ring).map(|edge| edge.length() * wall).sum();
+            let about = 1.0 - (area(&ground.ring) + walls) / self.area();
+            if about < 0.5 * MOST_LOST {
+                return about;
+            }
+        }
+        let pieces: Vec<geo::Polygon<f64>> =
+            grounds.iter().map(|ground| ring_surface(&ground.ring)).collect();
+        let style = BufferStyle::new(wall).line_join(LineJoin::Miter(std::f64::consts::FRAC_PI_6));
+        let built = geo::unary_union(&pieces).buffer_with_style(style);
+        1.0 - geo::Area::unsigned_area(&built) / self.area()
+    }
+
     /// The floor of each of so many storeys inside walls of this thickness, in pieces that are joined by nothing but cuts, the
     /// largest first.
     pub(super) fn grounds(&self, wall: f64, storeys: u32) -> Vec<Ground> {
@@ -106,7 +139,16 @@ fn without_small_islands(pieces: Vec<Ring>, least: f64) -> Vec<Ring> {
     let mut kept: Vec<Ring> = Vec::new();
     for ring in pieces {
         let is_beside = |other: &Ring| shared_length(&ring, other) >= LEAST_BORDER;
-        if kept.is_empty() || area(&ring) >= least || kept.iter().any(is_beside) {
+        let with = |other: &Ring| join(other, &ring).filter(|whole| is_simple(whole));
+        let is_small = area(&ring) < LEAST_OWN;
+        let joined = kept
+            .iter()
+            .enumerate()
+            .filter(|_| is_small)
+            .find_map(|(index, other)| Some((index, with(other)?)));
+        if let Some((index, whole)) = joined {
+            kept[index] = whole;
+        } else if kept.is_empty() || area(&ring) >= least || kept.iter().any(is_beside) {
             kept.push(ring);
         }
     }
@@ -219,4 +261,31 @@ fn without_halves(mut piece: Ring, halves: &[(Vec<Ring>, Vec<Ring>)], is_above: 
         }
     }
     (piece, whole)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Bounds;
+
+    fn rectangle(x: f64, y: f64, width: f64, depth: f64) -> Ring {
+        Bounds::new(Point::new(x, y), Point::new(x + width, y + depth)).corners().into()
+    }
+
+    #[test]
+    fn a_piece_too_small_for_a_room_joins_the_floor_that_it_was_cut_from() {
+        let pieces = vec![rectangle(0., 0., 12., 10.), rectangle(0., 10., 4.4, 0.7)];
+        let kept = without_small_islands(pieces, LEAST_ISLAND.1);
+        assert_eq!(kept.len(), 1);
+        assert!((area(&kept[0]) - 123.08).abs() < 1e-9, "{}", area(&kept[0]));
+    }
+
+    #[test]
+    fn of_pieces_that_stand_apart_the_smallest_are_no_floor() {
+        let with = |depth: f64| {
+            let pieces = vec![rectangle(0., 0., 20., 10.), rectangle(25., 0., 3., depth)];
+            without_small_islands(pieces, LEAST_ISLAND.0).len()
+        };
+        assert_eq!((with(2.0), with(3.0)), (1, 2));
+    }
 }

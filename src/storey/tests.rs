@@ -210,6 +210,22 @@ fn halls_whose_middle_is_far_from_all_walls_are_parted() {
 }
 
 #[test]
+fn wings_too_narrow_for_thick_walls_have_thin_ones() {
+    let wing =
+        [(0.0, 0.0), (14.0, 0.0), (14.0, 6.0), (6.25, 6.0), (6.25, 0.9), (4.8, 0.9), (4.8, 2.3), (0.0, 2.3)];
+    let shape = region(&wing);
+    let floor = |planned: &PlannedBuilding| -> f64 {
+        planned.draft.levels[0].rooms.iter().map(|room| area(&room.outline)).sum()
+    };
+    let house = alone(shape.clone(), 2.0, "house");
+    assert!(house.draft.levels.iter().all(|level| level.exterior_thickness < 0.2));
+    assert!(floor(&house) > 0.85 * shape.area(), "{}", floor(&house));
+    // One without such a wing has the walls of its kind.
+    let plain = alone(rectangle(0.0, 0.0, 14.0, 6.0), 2.0, "house");
+    assert!(plain.draft.levels.iter().all(|level| level.exterior_thickness > 0.28));
+}
+
+#[test]
 fn what_nobody_can_stand_in_is_no_building() {
     let site = site(vec![footprint("strip", rectangle(0.0, 0.0, 9.0, 0.6), 1.0, "shed")]);
     let around = Neighbourhood::new(&site);
