@@ -26,7 +26,7 @@ pub(super) enum Kind {
     Features,
     /// Translations and scales of instances.
     Vectors,
-    /// Rotations of instances.
+    /// Rotations of instances: shares of the highest number of 16 bits, which is a fifth of a millimetre at a reach of six metres.
     Rotations,
     /// Numbers of features of instances.
     InstanceFeatures,
@@ -73,7 +73,7 @@ impl Kind {
             Self::Coordinates => (FLOAT, "VEC2", false, 8),
             Self::Shares => (UNSIGNED_SHORT, "VEC2", true, 4),
             Self::Features | Self::InstanceFeatures => (FLOAT, "SCALAR", false, 4),
-            Self::Rotations => (FLOAT, "VEC4", false, 16),
+            Self::Rotations => (SHORT, "VEC4", true, 8),
             Self::ShortIndices => (UNSIGNED_SHORT, "SCALAR", false, 2),
             Self::LongIndices => (UNSIGNED_INT, "SCALAR", false, 4),
         }

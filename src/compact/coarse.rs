@@ -1,11 +1,10 @@
 //! Leaves out what is too small or too thin to be seen of a mesh and what nobody sees from outside, and makes boxes of the rest.
 
-use std::collections::HashMap;
 use std::sync::Arc;
 
 use glam::Vec3;
 
-use crate::geometry::DisjointSets;
+use super::loose::{LoosePart, LooseParts};
 use crate::mesh::{Model, Primitive};
 
 /// What a mesh is, as far as it decides how it is simplified.
@@ -46,9 +45,9 @@ impl Kind {
 pub(super) struct Extent(pub(super) [Vec3; 2]);
 
 impl Extent {
-    const EMPTY: Self = Self([Vec3::INFINITY, Vec3::NEG_INFINITY]);
+    pub(super) const EMPTY: Self = Self([Vec3::INFINITY, Vec3::NEG_INFINITY]);
 
-    fn with(self, corner: &[f32; 3]) -> Self {
+    pub(super) fn with(self, corner: &[f32; 3]) -> Self {
         let (Self([low, high]), corner) = (self, Vec3::from_array(*corner));
         Self([low.min(corner), high.max(corner)])
     }
@@ -61,16 +60,53 @@ impl Extent {
     }
 }
 
+/// A loose part that is a box along the axes of its model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Cuboid {
+    /// Index into the primitives of its model.
+    pub(super) primitive: usize,
+    /// The first of its corners in the primitive; all corners from there to those of the next box, or to the end, are its own.
+    pub(super) first: usize,
+    pub(super) low: Vec3,
+    pub(super) high: Vec3,
+}
+
+/// What is left of a model.
+#[derive(Clone, Debug)]
+pub(super) struct Seen {
+    /// All of it.
+    pub(super) model: Arc<Model>,
+    /// The boxes in it, with which its primitives end.
+    pub(super) cuboids: Arc<[Cuboid]>,
+}
+
 /// Simplifies the primitives of a mesh.
 #[derive(Clone, Copy)]
 pub(super) struct Simplifier {
     pub(super) kind: Kind,
+    pub(super) limits: Limits,
+}
+
+/// What is seen of a mesh.
+#[derive(Clone, Copy)]
+pub(super) struct Limits {
     /// Metres: loose parts with no longer side are left out.
     pub(super) least_size: f64,
     /// Metres: thinner loose parts are left out.
     pub(super) least_width: f64,
     /// Metres: loose parts with no longer side are boxes.
     pub(super) boxed: f64,
+    /// Metres: loose parts that are nowhere farther below the faces of their box are boxes.
+    pub(super) rounding: f64,
+    /// Metres: boxes that are no thicker have no narrow faces.
+    pub(super) sheet: f64,
+}
+
+impl Limits {
+    pub(super) fn bits(&self) -> [u64; 5] {
+        let Self { least_size, least_width, boxed, rounding, sheet } = *self;
+        [least_size, least_width, boxed, rounding, sheet].map(f64::to_bits)
+    }
 }
 
 /// What becomes of a loose part.
@@ -83,31 +119,45 @@ enum Fate {
 
 impl Simplifier {
     /// A model without what is not seen; `None` if nothing is left.
-    pub(super) fn model(&self, model: &Model) -> Option<Arc<Model>> {
+    pub(super) fn model(&self, model: &Model) -> Option<Seen> {
         let [low, high] = model.bounds();
         let ends = [low.y, high.y];
-        let primitives: Vec<Primitive> =
-            model.primitives.iter().map(|primitive| self.simplified(primitive, ends)).collect();
-        primitives.iter().any(|part| !part.indices.is_empty()).then(|| Arc::new(Model { primitives }))
+        let mut cuboids = Vec::new();
+        let simplified = model.primitives.iter().enumerate().map(|(number, primitive)| {
+            let (made, boxes) = self.simplified(primitive, ends);
+            let boxes = boxes.into_iter().map(|(first, Extent([low, high]))| Cuboid {
+                primitive: number,
+                first,
+                low,
+                high,
+            });
+            cuboids.extend(boxes);
+            made
+        });
+        let primitives: Vec<Primitive> = simplified.collect();
+        let is_left = primitives.iter().any(|part| !part.indices.is_empty());
+        is_left.then(|| Seen { model: Arc::new(Model { primitives }), cuboids: cuboids.into() })
     }
 
     /// A primitive without its loose parts and faces that are not seen, of a model between two heights; it may be left without
-    /// triangles.
-    fn simplified(&self, primitive: &Primitive, ends: [f32; 2]) -> Primitive {
-        let parts = parts(primitive);
-        let count = parts.iter().max().map_or(0, |most| most + 1);
-        let mut extents = vec![Extent::EMPTY; count];
-        for (part, position) in parts.iter().zip(&primitive.positions) {
-            extents[*part] = extents[*part].with(position);
-        }
-        let fates: Vec<Fate> = extents.iter().map(|extent| self.fate(*extent)).collect();
+    /// triangles. Its boxes come last, each with the number of its first corner.
+    fn simplified(&self, primitive: &Primitive, ends: [f32; 2]) -> (Primitive, Vec<(usize, Extent)>) {
+        let parts = LooseParts::of(primitive);
+        let fates: Vec<Fate> = parts.list.iter().map(|part| self.fate(primitive, part)).collect();
         let kept = primitive.indices.as_chunks::<3>().0.iter().filter(|triangle| {
-            fates[parts[triangle[0] as usize]] == Fate::Kept && !self.hides(primitive, triangle, ends)
+            let is_kept = fates[parts.of_corner[triangle[0] as usize]] == Fate::Kept;
+            is_kept && !self.hides(primitive, triangle, ends)
         });
         let mut made = primitive.with_triangles(kept.flatten().copied());
-        let boxed = extents.iter().zip(&fates).filter(|(_, fate)| **fate == Fate::Boxed);
-        boxed.for_each(|(extent, _)| self.add_box(&mut made, *extent, ends));
-        made
+        let boxed = parts.list.iter().zip(&fates).filter(|(_, fate)| **fate == Fate::Boxed);
+        let boxes = boxed.map(|(part, _)| {
+            let first = made.positions.len();
+            add_box(&mut made, part.extent, |axis, is_high| self.shows(part.extent, (axis, is_high), ends));
+            paint(&mut made, primitive, part.first);
+            (first, part.extent)
+        });
+        let boxes = boxes.collect();
+        (made, boxes)
     }
 
     /// Whether all corners of a triangle are of a face that nobody sees.
@@ -119,51 +169,68 @@ impl Simplifier {
         })
     }
 
-    fn fate(&self, extent: Extent) -> Fate {
-        let [longest, middle, _] = extent.sides();
-        if longest < self.least_size || middle < self.least_width {
+    fn fate(&self, primitive: &Primitive, part: &LoosePart) -> Fate {
+        let [longest, middle, _] = part.extent.sides();
+        let Limits { least_size, least_width, boxed, rounding, .. } = self.limits;
+        if longest < least_size || middle < least_width {
             Fate::Dropped
-        } else if longest <= self.boxed {
+        } else if longest <= boxed || (part.is_of_one_color(primitive) && part.fills_box(primitive, rounding))
+        {
             Fate::Boxed
         } else {
             Fate::Kept
         }
     }
 
-    /// Adds a box, without the face that nobody sees.
-    fn add_box(&self, primitive: &mut Primitive, Extent([low, high]): Extent, ends: [f32; 2]) {
-        let has_sets = !primitive.texture_coordinates.is_empty();
-        for (axis, is_high) in FACES {
-            let (end, sign) = if is_high { (high, 1.0) } else { (low, -1.0) };
-            let normal = Vec3::AXES[axis] * sign;
-            if self.kind.hides(normal.y, is_at(ends, end.y)) {
-                continue;
-            }
-            let first = primitive.positions.len() as u32;
-            let (across, up) = ((axis + 1) % 3, (axis + 2) % 3);
-            // Counter-clockwise from outside: at the low end the other way around.
-            let around = [(false, false), (true, false), (true, true), (false, true)];
-            let pick = |axis: usize, is_high: bool| if is_high { high[axis] } else { low[axis] };
-            for (one, other) in around {
-                let mut corner = [0.0; 3];
-                corner[axis] = pick(axis, is_high);
-                corner[across] = pick(across, one);
-                corner[up] = pick(up, other);
-                primitive.positions.push(corner);
-                primitive.normals.push(normal.to_array());
-            }
-            let order = if is_high { [0, 1, 2, 0, 2, 3] } else { [0, 2, 1, 0, 3, 2] };
-            primitive.indices.extend(order.map(|corner| first + corner));
+    /// Whether a face of a box is seen.
+    fn shows(&self, extent: Extent, (axis, is_high): (usize, bool), ends: [f32; 2]) -> bool {
+        let Extent([low, high]) = extent;
+        let end = if is_high { high } else { low };
+        let height = if axis == 1 { if is_high { 1.0 } else { -1.0 } } else { 0.0 };
+        let sides = (high - low).as_dvec3();
+        let is_narrow = sides.min_element() <= self.limits.sheet && axis != sides.min_position();
+        !is_narrow && !self.kind.hides(height, is_at(ends, end.y))
+    }
+}
+
+/// Adds those faces of a box that are seen, each given by its axis and whether it is at the high end.
+pub(super) fn add_box(
+    primitive: &mut Primitive,
+    Extent([low, high]): Extent,
+    shows: impl Fn(usize, bool) -> bool,
+) {
+    for (axis, is_high) in FACES.into_iter().filter(|&(axis, is_high)| shows(axis, is_high)) {
+        let normal = Vec3::AXES[axis] * if is_high { 1.0 } else { -1.0 };
+        let first = primitive.positions.len() as u32;
+        let (across, up) = ((axis + 1) % 3, (axis + 2) % 3);
+        // Counter-clockwise from outside: at the low end the other way around.
+        let around = [(false, false), (true, false), (true, true), (false, true)];
+        let pick = |axis: usize, is_high: bool| if is_high { high[axis] } else { low[axis] };
+        for (one, other) in around {
+            let mut corner = [0.0; 3];
+            corner[axis] = pick(axis, is_high);
+            corner[across] = pick(across, one);
+            corner[up] = pick(up, other);
+            primitive.positions.push(corner);
+            primitive.normals.push(normal.to_array());
         }
-        let count = primitive.positions.len();
-        if has_sets {
-            primitive.texture_coordinates.resize(count, [0.0; 2]);
-            primitive.further_coordinates.iter_mut().for_each(|set| set.resize(count, [0.0; 2]));
-        }
-        if !primitive.colors.is_empty() {
-            let last = primitive.colors.last().copied().unwrap_or([1.0; 4]);
-            primitive.colors.resize(count, last);
-        }
+        let order = if is_high { [0, 1, 2, 0, 2, 3] } else { [0, 2, 1, 0, 3, 2] };
+        primitive.indices.extend(order.map(|corner| first + corner));
+    }
+}
+
+/// Gives what was added last to a primitive the colours and texture coordinates of a corner of another.
+fn paint(made: &mut Primitive, source: &Primitive, corner: usize) {
+    let count = made.positions.len();
+    if let Some(&place) = source.texture_coordinates.get(corner) {
+        made.texture_coordinates.resize(count, place);
+        let further = made.further_coordinates.iter_mut().zip(&source.further_coordinates);
+        further.for_each(|(set, of_source)| {
+            set.resize(count, of_source.get(corner).copied().unwrap_or_default())
+        });
+    }
+    if let Some(&color) = source.colors.get(corner) {
+        made.colors.resize(count, color);
     }
 }
 
@@ -180,44 +247,27 @@ const END_GAP: f32 = 0.01;
 /// The height of the normal of a face that looks up.
 const FACING: f32 = 0.99;
 
-/// The number of the loose part of each corner: corners in one place, and those of one triangle, are of one part.
-fn parts(primitive: &Primitive) -> Vec<usize> {
-    let mut first_at: HashMap<[u32; 3], usize> = HashMap::with_capacity(primitive.positions.len());
-    let mut joined = DisjointSets::new(primitive.positions.len());
-    for (corner, position) in primitive.positions.iter().enumerate() {
-        let place = position.map(|number| (number + 0.0).to_bits());
-        joined.join(corner, *first_at.entry(place).or_insert(corner));
-    }
-    for triangle in primitive.indices.as_chunks::<3>().0 {
-        let [a, b, c] = triangle.map(|corner| corner as usize);
-        joined.join(a, b);
-        joined.join(b, c);
-    }
-    let mut numbers: HashMap<usize, usize> = HashMap::new();
-    (0..primitive.positions.len())
-        .map(|corner| {
-            let next = numbers.len();
-            *numbers.entry(joined.find(corner)).or_insert(next)
-        })
-        .collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    const LIMITS: Limits =
+        Limits { least_size: 0.0, least_width: 0.0, boxed: 0.0, rounding: f64::NEG_INFINITY, sheet: 0.0 };
+
+    /// A cube of a metre.
+    fn cube() -> Primitive {
+        let mut primitive = Primitive::default();
+        add_box(&mut primitive, Extent([Vec3::ZERO, Vec3::ONE]), |_, _| true);
+        assert_eq!(primitive.indices.len(), 36);
+        primitive
+    }
+
     /// The heights of the normals of what is left of a box that is kept as it is, and of one that becomes a box.
     fn left(kind: Kind) -> [Vec<i32>; 2] {
-        let mut primitive = Primitive::default();
-        let all = Simplifier { kind: Kind::Trim, least_size: 0.0, least_width: 0.0, boxed: 0.0 };
-        let whole = [Vec3::ZERO, Vec3::ONE];
-        // No face is at an end that is far away.
-        all.add_box(&mut primitive, Extent(whole), [-9.0, 9.0]);
-        assert_eq!(primitive.indices.len(), 36);
-        let model = Model { primitives: vec![primitive] };
+        let model = Model { primitives: vec![cube()] };
         [0.0, 2.0].map(|boxed| {
-            let simplifier = Simplifier { kind, boxed, ..all };
-            let left = simplifier.model(&model).unwrap();
+            let simplifier = Simplifier { kind, limits: Limits { boxed, ..LIMITS } };
+            let left = simplifier.model(&model).unwrap().model;
             let triangles = left.primitives[0].indices.as_chunks::<3>().0;
             let mut heights: Vec<i32> = triangles
                 .iter()
@@ -240,5 +290,36 @@ mod tests {
         ] {
             assert_eq!(left(kind), [expected.clone(), expected], "{kind:?}");
         }
+    }
+
+    #[test]
+    fn sheets_have_no_narrow_faces() {
+        let mut primitive = Primitive::default();
+        add_box(&mut primitive, Extent([Vec3::ZERO, Vec3::new(1.0, 1.0, 0.04)]), |_, _| true);
+        let model = Model { primitives: vec![primitive] };
+        let faces = |sheet: f64| {
+            let limits = Limits { boxed: 2.0, sheet, ..LIMITS };
+            let seen = Simplifier { kind: Kind::Furniture, limits }.model(&model).unwrap();
+            assert_eq!(seen.cuboids.len(), 1);
+            seen.model.primitives[0].indices.len() / 6
+        };
+        // Nobody sees what it stands on.
+        assert_eq!([faces(0.0), faces(0.03), faces(0.05)], [5, 5, 2]);
+    }
+
+    #[test]
+    fn boxes_have_the_color_of_the_part_that_they_are() {
+        let mut primitive = cube();
+        primitive.colors = vec![[0.5, 0.5, 0.5, 1.0]; primitive.positions.len()];
+        let limits = Limits { rounding: 0.01, ..LIMITS };
+        let simplifier = Simplifier { kind: Kind::Furniture, limits };
+        let boxes = |primitive: &Primitive| {
+            let seen = simplifier.model(&Model { primitives: vec![primitive.clone()] }).unwrap();
+            (seen.cuboids.len(), seen.model.primitives[0].colors.last().copied())
+        };
+        assert_eq!(boxes(&primitive), (1, Some([0.5, 0.5, 0.5, 1.0])));
+        // One of two colours stays as it is.
+        primitive.colors[0] = [1.0; 4];
+        assert_eq!(boxes(&primitive).0, 0);
     }
 }

@@ -2,11 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use glam::DQuat;
 use serde_json::{Map, Value, json};
 
 use super::Shown;
 use super::buffer::{Arrays, Kind};
-use super::encode::{EncodedPart, Grid, encode, numbers};
+use super::encode::{EncodedPart, Grid, encode, numbers, rotations};
 use super::feature::Feature;
 use super::instances::Instances;
 use super::lights;
@@ -15,7 +16,7 @@ use super::options::{Coloring, CompactOptions};
 use super::table::{STRUCTURAL_METADATA, Table};
 use crate::gltf::{self, GltfError};
 use crate::mesh::TextureUse;
-use crate::scene::{GENERATOR, Scene, SceneMaterial};
+use crate::scene::{GENERATOR, SceneMaterial};
 
 const MESH_FEATURES: &str = "EXT_mesh_features";
 const INSTANCE_FEATURES: &str = "EXT_instance_features";
@@ -31,7 +32,7 @@ pub(super) struct Parts<'s> {
     pub(super) options: &'s CompactOptions,
     pub(super) features: &'s [Feature],
     pub(super) merged: BTreeMap<Surface, Vec<Merged>>,
-    pub(super) instances: Vec<Instances<'s>>,
+    pub(super) instances: Vec<Instances>,
 }
 
 /// Writes the file.
@@ -55,7 +56,7 @@ pub(super) fn write(parts: &Parts<'_>) -> Result<Vec<u8>, GltfError> {
     if !parts.merged.is_empty() {
         children.push(text.merged(&parts.merged, parts.options.coarsest_step));
     }
-    children.extend(parts.instances.iter().map(|instances| text.instances(instances, parts.shown.scene)));
+    children.extend(parts.instances.iter().map(|instances| text.instances(instances)));
     let Text { nodes: drawn, meshes, arrays, mut used, .. } = text;
     let mut root = materials.root;
     let laid = arrays.lay(materials.images, count_of(&root, "bufferViews"));
@@ -239,24 +240,25 @@ impl Text<'_> {
     }
 
     /// The node of a mesh with its instances.
-    fn instances(&mut self, instances: &Instances<'_>, scene: &Scene) -> usize {
-        let Instances { mesh, surfaces, model, drawn } = instances;
+    fn instances(&mut self, instances: &Instances) -> usize {
+        let Instances { name, surfaces, model, places } = instances;
         let parts = model.parts.iter();
         let primitives: Vec<Value> =
             parts.map(|(look, part)| self.primitive(surfaces[*look], part)).collect();
-        let name = &scene.meshes[*mesh].name;
         self.meshes.push(json!({"name": name, "primitives": primitives}));
         self.used.extend([QUANTIZATION, GPU_INSTANCING, INSTANCE_FEATURES]);
-        let places = drawn.iter().flat_map(|drawn| drawn.frame.translation.as_vec3().to_array());
-        let turns = drawn.iter().flat_map(|drawn| drawn.frame.rotation.as_quat().to_array());
-        let scales = drawn.iter().flat_map(|_| [model.step; 3]);
-        let features = drawn.iter().map(|drawn| drawn.feature as f32);
-        let attributes = json!({
-            "TRANSLATION": self.arrays.add(Kind::Vectors, &numbers(places)),
-            "ROTATION": self.arrays.add(Kind::Rotations, &numbers(turns)),
+        let translations = places.iter().flat_map(|place| place.frame.translation.as_vec3().to_array());
+        let scales = places.iter().flat_map(|place| place.scale.to_array());
+        let features = places.iter().map(|place| place.feature as f32);
+        let mut attributes = json!({
+            "TRANSLATION": self.arrays.add(Kind::Vectors, &numbers(translations)),
             "SCALE": self.arrays.add(Kind::Vectors, &numbers(scales)),
             FEATURE_ID: self.arrays.add(Kind::InstanceFeatures, &numbers(features)),
         });
+        if places.iter().any(|place| place.frame.rotation != DQuat::IDENTITY) {
+            let turns = rotations(places.iter().map(|place| place.frame.rotation));
+            attributes["ROTATION"] = json!(self.arrays.add(Kind::Rotations, &turns));
+        }
         let node = json!({
             "name": name,
             "mesh": self.meshes.len() - 1,

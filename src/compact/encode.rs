@@ -1,6 +1,6 @@
 //! Turns triangles into the arrays of a file: whole numbers wherever they suffice.
 
-use glam::{DVec3, Vec3};
+use glam::{DQuat, DVec3, Vec3};
 
 use super::buffer::Kind;
 use super::merged::Merged;
@@ -50,6 +50,9 @@ pub(super) struct Grid {
 }
 
 impl Grid {
+    /// The grid of a model whose corners are whole numbers.
+    pub(super) const OF_WHOLE: Self = Self { origin: DVec3::ZERO, step: 1.0 };
+
     /// The grid of a model, whose steps are as fine as 16 bits make them, around the model's own origin.
     pub(super) fn of_model<'p>(corners: impl Iterator<Item = &'p DVec3>) -> Self {
         let farthest = corners.fold(SMALLEST, |most, corner| most.max(corner.abs().max_element()));
@@ -124,8 +127,18 @@ fn normals(directions: &[Vec3]) -> Vec<u8> {
 }
 
 fn colors(colors: &[[f32; 4]]) -> Vec<u8> {
-    let byte = |channel: f32| (channel.clamp(0.0, 1.0) * f32::from(u8::MAX)).round() as u8;
-    colors.iter().flat_map(|color| color.map(byte)).collect()
+    colors.iter().copied().flat_map(color).collect()
+}
+
+/// A colour as it is in files.
+pub(super) fn color(color: [f32; 4]) -> [u8; 4] {
+    color.map(|channel| (channel.clamp(0.0, 1.0) * f32::from(u8::MAX)).round() as u8)
+}
+
+/// Rotations as they are in files.
+pub(super) fn rotations(rotations: impl Iterator<Item = DQuat>) -> Vec<u8> {
+    let share = |number: f64| ((number * HIGHEST).round() as i16).to_le_bytes();
+    rotations.flat_map(|rotation| rotation.to_array()).flat_map(share).collect()
 }
 
 /// Numbers as they are in files.

@@ -3,6 +3,8 @@
 use std::collections::{BTreeMap, HashMap};
 use std::sync::{Arc, Mutex, PoisonError};
 
+use glam::Vec3;
+
 use super::Shown;
 use super::encode::{EncodedPart, Grid, encode};
 use super::listing::{Drawn, Frame};
@@ -10,14 +12,23 @@ use super::merged::{Merged, Surface, looks_of, merge, ordered_surfaces};
 use crate::mesh::Model;
 
 /// A mesh with the places where it stands.
-pub(super) struct Instances<'s> {
-    /// Index into the meshes of the scene.
-    pub(super) mesh: usize,
+pub(super) struct Instances {
+    pub(super) name: String,
     /// Its looks.
     pub(super) surfaces: Vec<Surface>,
     pub(super) model: Arc<EncodedModel>,
     /// Where it stands.
-    pub(super) drawn: Vec<&'s Drawn>,
+    pub(super) places: Vec<Instance>,
+}
+
+/// A place of a mesh, in the frame of the level.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Instance {
+    pub(super) frame: Frame,
+    /// Metres of a step of the positions along each axis.
+    pub(super) scale: Vec3,
+    /// Index of its feature.
+    pub(super) feature: usize,
 }
 
 /// A model by its own: its arrays, which do not depend on what else is in a file.
@@ -70,12 +81,19 @@ fn encoded(shown: &Shown<'_>, mesh: usize) -> EncodedModel {
 }
 
 /// The instances of meshes, in the order of the meshes.
-pub(super) fn gather<'s>(shown: &Shown<'_>, drawn: &[&'s Drawn]) -> Vec<Instances<'s>> {
-    let mut places: BTreeMap<usize, Vec<&'s Drawn>> = BTreeMap::new();
+pub(super) fn gather(shown: &Shown<'_>, drawn: &[Drawn]) -> Vec<Instances> {
+    let mut places: BTreeMap<usize, Vec<&Drawn>> = BTreeMap::new();
     drawn.iter().for_each(|drawn| places.entry(drawn.mesh).or_default().push(drawn));
     let gathered = places.into_iter().map(|(mesh, drawn)| {
         let model = shown.models_known.encoded(shown, mesh);
-        Instances { mesh, surfaces: ordered_surfaces(shown, mesh), model, drawn }
+        let place = |drawn: &Drawn| Instance {
+            frame: drawn.frame,
+            scale: Vec3::splat(model.step),
+            feature: drawn.feature,
+        };
+        let places = drawn.into_iter().map(place).collect();
+        let name = shown.scene.meshes[mesh].name.clone();
+        Instances { name, surfaces: ordered_surfaces(shown, mesh), model, places }
     });
     gathered.collect()
 }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use glam::{DVec3, Vec3};
 
 use super::Shown;
+use super::coarse::Seen;
 use super::image_colors::{ImageColors, KnownImages};
 use super::listing::{Drawn, Frame};
 use super::options::Coloring;
@@ -42,7 +43,7 @@ pub(super) enum Surface {
 
 impl Surface {
     /// The look of a material.
-    fn of(shown: &Shown<'_>, material: usize) -> Self {
+    pub(super) fn of(shown: &Shown<'_>, material: usize) -> Self {
         match shown.coloring {
             Coloring::Materials => Self::Material(material),
             Coloring::Corners if is_clear(&shown.materials[material]) => Self::Clear,
@@ -101,7 +102,7 @@ const MOST_CORNERS: usize = u16::MAX as usize - 1;
 pub(super) fn merge(shown: &Shown<'_>, drawn: &[&Drawn]) -> BTreeMap<Surface, Vec<Merged>> {
     let mut merged: BTreeMap<Surface, Vec<Merged>> = BTreeMap::new();
     for drawn in drawn {
-        let Some(model) = &shown.models[drawn.mesh] else { continue };
+        let Some(Seen { model, .. }) = &shown.models[drawn.mesh] else { continue };
         let materials = &shown.scene.meshes[drawn.mesh].materials;
         for (primitive, &material) in model.primitives.iter().zip(materials) {
             if primitive.indices.is_empty() {
@@ -201,7 +202,7 @@ impl Merged {
 }
 
 /// The colour of a material without its images.
-struct ShownColor {
+pub(super) struct ShownColor {
     /// As bright as the texture of its surface is on average, with the light that it gives added.
     color: [f32; 4],
     /// Those that multiply it, by the set of texture coordinates.
@@ -211,7 +212,7 @@ struct ShownColor {
 impl ShownColor {
     const PLAIN: Self = Self { color: WHITE, image: None };
 
-    fn of(material: &SceneMaterial, images: &KnownImages) -> Self {
+    pub(super) fn of(material: &SceneMaterial, images: &KnownImages) -> Self {
         let factors = factors(material);
         let [red, green, blue, opacity] = factors.base_color;
         let shade = factors.texture.map_or(1.0, average_shade);
@@ -224,8 +225,13 @@ impl ShownColor {
         Self { color: [lit(red, r), lit(green, g), lit(blue, b), opacity], image }
     }
 
+    /// The colour that corners have but for their own; `None` where that depends on an image.
+    pub(super) fn plain(&self) -> Option<[f32; 4]> {
+        self.image.is_none().then_some(self.color)
+    }
+
     /// The colour of a corner.
-    fn at(&self, primitive: &Primitive, corner: usize) -> [f32; 4] {
+    pub(super) fn at(&self, primitive: &Primitive, corner: usize) -> [f32; 4] {
         let own = primitive.colors.get(corner).copied().unwrap_or(WHITE);
         let image = self.image.as_ref().map_or(WHITE, |(image, set)| {
             let place = primitive.coordinate_sets().nth(*set).and_then(|set| set.get(corner));

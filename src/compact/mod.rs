@@ -7,9 +7,11 @@
 //! (`KHR_mesh_quantization`).
 //!
 //! - `sieve`: what is large enough to be seen;
+//! - `coarse` and `loose`: what is left of a shape, and which of its loose parts are boxes;
 //! - `listing`: what is drawn, where, and which feature it is;
 //! - `image_colors`: the colours of images, for files without;
-//! - `grouping`: which meshes become instances;
+//! - `grouping`: which meshes, and boxes of which colours, become instances;
+//! - `cuboids`: boxes as instances of one cube;
 //! - `lights`: which lamps give light;
 //! - `merged` and `instances`: the triangles of both;
 //! - `encode`: arrays of both;
@@ -20,6 +22,7 @@
 
 mod buffer;
 mod coarse;
+mod cuboids;
 mod document;
 mod encode;
 mod feature;
@@ -28,6 +31,7 @@ mod image_colors;
 mod instances;
 mod lights;
 mod listing;
+mod loose;
 mod merged;
 mod options;
 mod output;
@@ -36,18 +40,17 @@ mod table;
 #[cfg(test)]
 mod tests;
 
-use std::sync::Arc;
-
 pub use options::Instancing;
-pub(crate) use options::{Coloring, CompactOptions, Shapes};
+pub(crate) use options::{Coarse, Coloring, CompactOptions, Shapes};
 pub(crate) use output::WEB;
 
+use coarse::Seen;
 use image_colors::KnownImages;
 use instances::KnownModels;
+use listing::Drawn;
 use sieve::KnownSimplified;
 
 use crate::gltf::GltfError;
-use crate::mesh::Model;
 use crate::scene::{Scene, SceneMaterial};
 
 /// What is kept from file to file of a run. No byte depends on it.
@@ -65,7 +68,7 @@ struct Shown<'s> {
     /// Its materials, or others in their place.
     materials: &'s [SceneMaterial],
     /// The models of its meshes as far as they are seen.
-    models: &'s [Option<Arc<Model>>],
+    models: &'s [Option<Seen>],
     coloring: Coloring,
     images: &'s KnownImages,
     models_known: &'s KnownModels,
@@ -86,10 +89,18 @@ pub(crate) fn write_compact(
     let coloring = options.coloring;
     let shown = Shown { scene, materials, models: &models, coloring, images, models_known };
     let listing = listing::Listing::new(&shown);
-    let instanced = grouping::instanced(&shown, &listing.drawn, options);
-    let (alike, single): (Vec<_>, Vec<_>) =
-        listing.drawn.iter().partition(|drawn| instanced.contains(&drawn.mesh));
-    let merged = merged::merge(&shown, &single);
-    let instances = instances::gather(&shown, &alike);
+    let grouping = grouping::choose(&shown, &listing.drawn, options);
+    let mut alike = Vec::new();
+    let mut single = Vec::new();
+    for drawn in &listing.drawn {
+        match grouping.meshes.get(&drawn.mesh) {
+            Some(&mesh) => alike.push(Drawn { mesh, ..*drawn }),
+            None => single.push(drawn),
+        }
+    }
+    let (cubes, rest) = cuboids::take(&shown, &single, &grouping.looks);
+    let merged = merged::merge(&Shown { models: &rest, ..shown }, &single);
+    let mut instances = instances::gather(&shown, &alike);
+    instances.extend(cubes);
     document::write(&document::Parts { shown, options, features: &listing.features, merged, instances })
 }

@@ -29,16 +29,24 @@ pub(crate) struct CompactOptions {
 pub(crate) enum Shapes {
     /// Not at all.
     Kept,
-    /// To what is seen through windows: loose parts of meshes that are thinner than a width, and so no more than a line, are left
-    /// out, and so are faces that lie on something.
-    Coarse {
-        /// Metres of the thinnest parts.
-        least_width: f64,
-        /// Metres: loose parts of furniture and doors that have no longer side are boxes.
-        boxed: f64,
-        /// Whether what lies along the edges of walls and openings is shown; where it is not, leaves of doors are boxes.
-        has_trim: bool,
-    },
+    /// To what is seen through windows.
+    Coarse(Coarse),
+}
+
+/// How shapes are simplified to what is seen through windows: loose parts of meshes that are thinner than a width, and so no more than
+/// a line, are left out, and so are faces that lie on something.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Coarse {
+    /// Metres of the thinnest parts.
+    pub(crate) least_width: f64,
+    /// Metres: loose parts of furniture and doors that have no longer side are boxes.
+    pub(crate) boxed: f64,
+    /// Metres: loose parts of furniture and doors whose surface is nowhere farther below the faces of their box are boxes.
+    pub(crate) rounding: f64,
+    /// Metres: boxes that are no thicker have no narrow faces.
+    pub(crate) sheet: f64,
+    /// Whether what lies along the edges of walls and openings is shown; where it is not, leaves of doors are boxes.
+    pub(crate) has_trim: bool,
 }
 
 /// Where colours come from.

@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::coarse::{Extent, Kind, Simplifier};
-use super::options::{CompactOptions, Shapes};
+use super::coarse::{Extent, Kind, Limits, Seen, Simplifier};
+use super::options::{Coarse, CompactOptions, Shapes};
 use crate::contract::{ElementId, Extras, Part};
 use crate::mesh::Model;
 use crate::scene::{Node, Scene, SceneMesh};
@@ -17,18 +17,17 @@ pub(crate) struct KnownSimplified {
 }
 
 /// Where a model is in memory, what it is, and the limits.
-type Looked = (usize, Kind, [u64; 3]);
+type Looked = (usize, Kind, [u64; 5]);
 
 /// A model and what is left of it; as long as it is here, nothing else is where it is.
-type Simplified = (Arc<Model>, Option<Arc<Model>>);
+type Simplified = (Arc<Model>, Option<Seen>);
 
 impl KnownSimplified {
-    fn simplified(&self, mesh: &SceneMesh, simplifier: &Simplifier) -> Option<Arc<Model>> {
+    fn simplified(&self, mesh: &SceneMesh, simplifier: &Simplifier) -> Option<Seen> {
         if !mesh.is_shared() {
             return simplifier.model(&mesh.model);
         }
-        let limits = [simplifier.least_size, simplifier.least_width, simplifier.boxed].map(f64::to_bits);
-        let key = (Arc::as_ptr(&mesh.model).addr(), simplifier.kind, limits);
+        let key = (Arc::as_ptr(&mesh.model).addr(), simplifier.kind, simplifier.limits.bits());
         let known = || self.known.lock().unwrap_or_else(PoisonError::into_inner);
         let found = known().get(&key).map(|(_, made)| made.clone());
         found.unwrap_or_else(|| {
@@ -40,27 +39,35 @@ impl KnownSimplified {
 }
 
 /// The models of the meshes of a scene as far as they are seen; `None` for those of which nothing is.
-pub(super) fn seen(
-    scene: &Scene,
-    options: &CompactOptions,
-    known: &KnownSimplified,
-) -> Vec<Option<Arc<Model>>> {
+pub(super) fn seen(scene: &Scene, options: &CompactOptions, known: &KnownSimplified) -> Vec<Option<Seen>> {
     let seen = |mesh: &SceneMesh, kind: Kind| {
         if Extent(mesh.model.bounds()).sides()[0] < options.least_size {
             return None;
         }
-        let Shapes::Coarse { least_width, boxed, has_trim } = options.shapes else {
-            return Some(Arc::clone(&mesh.model));
+        let Shapes::Coarse(coarse) = options.shapes else {
+            return Some(Seen { model: Arc::clone(&mesh.model), cuboids: Arc::default() });
         };
-        let boxed = match kind {
-            Kind::Trim if !has_trim => return None,
-            Kind::Leaf if !has_trim => f64::INFINITY,
-            Kind::Furniture | Kind::Hung | Kind::Leaf => boxed,
-            Kind::Trim | Kind::Floor | Kind::Ceiling | Kind::Shell => 0.0,
-        };
-        known.simplified(mesh, &Simplifier { kind, least_size: options.least_size, least_width, boxed })
+        let limits = limits(&coarse, options.least_size, kind)?;
+        known.simplified(mesh, &Simplifier { kind, limits })
     };
     scene.meshes.iter().zip(kinds(scene)).map(|(mesh, kind)| seen(mesh, kind)).collect()
+}
+
+/// Metres within which a part of the shell is a box.
+const ROUNDING_OF_SHELL: f64 = 0.001;
+
+/// What is seen of a mesh; `None` for nothing.
+fn limits(coarse: &Coarse, least_size: f64, kind: Kind) -> Option<Limits> {
+    let Coarse { least_width, boxed, rounding, sheet, has_trim } = *coarse;
+    let (boxed, rounding) = match kind {
+        Kind::Trim if !has_trim => return None,
+        Kind::Leaf if !has_trim => (f64::INFINITY, rounding),
+        Kind::Furniture | Kind::Hung | Kind::Leaf => (boxed, rounding),
+        Kind::Trim | Kind::Shell => (0.0, ROUNDING_OF_SHELL),
+        // Only one or two of their faces are seen.
+        Kind::Floor | Kind::Ceiling => (0.0, f64::NEG_INFINITY),
+    };
+    Some(Limits { least_size, least_width, boxed, rounding, sheet })
 }
 
 /// What each mesh is.

@@ -27,8 +27,24 @@ const COLUMNS: [Column; 6] = [
 /// A table whose columns are not yet in views.
 pub(super) struct Table {
     count: usize,
-    /// Of each column: the numbers of its values and of their offsets.
-    columns: Vec<[usize; 2]>,
+    columns: Vec<Texts>,
+}
+
+/// The texts of a column.
+struct Texts {
+    /// The numbers of its arrays.
+    values: usize,
+    offsets: usize,
+    offset_type: &'static str,
+}
+
+/// Numbers that rise, in as few bytes as the last of them needs, and the name of their type.
+fn packed(rising: &[u32]) -> (&'static str, Vec<u8>) {
+    let shorts: Result<Vec<u16>, _> = rising.iter().map(|&number| u16::try_from(number)).collect();
+    match shorts {
+        Ok(shorts) => ("UINT16", shorts.into_iter().flat_map(u16::to_le_bytes).collect()),
+        Err(_) => ("UINT32", rising.iter().flat_map(|number| number.to_le_bytes()).collect()),
+    }
 }
 
 impl Table {
@@ -36,15 +52,15 @@ impl Table {
     pub(super) fn new(features: &[Feature], arrays: &mut Arrays) -> Self {
         let columns = COLUMNS.iter().map(|(_, _, value)| {
             let mut text = Vec::new();
-            let mut offsets = vec![0; 4];
+            let mut offsets = vec![0];
             for feature in features {
                 text.extend_from_slice(value(feature).as_bytes());
-                let offset = u32::try_from(text.len()).expect("ids are short, and features are few");
-                offsets.extend_from_slice(&offset.to_le_bytes());
+                offsets.push(u32::try_from(text.len()).expect("ids are short, and features are few"));
             }
+            let (offset_type, offsets) = packed(&offsets);
             // A view holds at least one byte.
             text.resize(text.len().max(1), 0);
-            [arrays.add_table(text), arrays.add_table(offsets)]
+            Texts { values: arrays.add_table(text), offset_type, offsets: arrays.add_table(offsets) }
         });
         Self { count: features.len(), columns: columns.collect() }
     }
@@ -58,8 +74,12 @@ impl Table {
         let values: Map<String, Value> = COLUMNS
             .iter()
             .zip(&self.columns)
-            .map(|(column, [text, offsets])| {
-                (column.0.to_owned(), json!({"values": views[*text], "stringOffsets": views[*offsets]}))
+            .map(|(column, texts)| {
+                let Texts { values, offsets, offset_type } = *texts;
+                let texts = json!({
+                    "values": views[values], "stringOffsets": views[offsets], "stringOffsetType": offset_type,
+                });
+                (column.0.to_owned(), texts)
             })
             .collect();
         json!({

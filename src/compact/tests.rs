@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use glam::{DQuat, DVec3};
 use serde_json::Value;
 
-use super::{Coloring, CompactOptions, Instancing, Known, Shapes, write_compact};
+use super::{Coarse, Coloring, CompactOptions, Instancing, Known, Shapes, write_compact};
 use crate::contract::{Extras, RoomId};
 use crate::output::{LevelOptions, TextureOptions};
 use crate::project::Project;
@@ -94,9 +94,10 @@ impl File {
             &self.data[start..start + self.number(&format!("/bufferViews/{view}/byteLength"))]
         };
         let text = slice(self.number(&format!("{table}/values")));
-        let offsets = slice(self.number(&format!("{table}/stringOffsets"))).chunks_exact(4);
+        assert_eq!(self.json.pointer(&format!("{table}/stringOffsetType")).unwrap(), "UINT16");
+        let offsets = slice(self.number(&format!("{table}/stringOffsets"))).chunks_exact(2);
         let offsets: Vec<usize> =
-            offsets.map(|word| u32::from_le_bytes(word.try_into().unwrap()) as usize).collect();
+            offsets.map(|word| usize::from(u16::from_le_bytes(word.try_into().unwrap()))).collect();
         offsets.windows(2).map(|ends| String::from_utf8(text[ends[0]..ends[1]].to_vec()).unwrap()).collect()
     }
 
@@ -130,10 +131,14 @@ impl File {
                     continue;
                 }
                 let of = |key: &str| self.elements(accessor(&instanced[key]));
-                let (places, turns, scales) = (of("TRANSLATION"), of("ROTATION"), of("SCALE"));
+                let (places, scales) = (of("TRANSLATION"), of("SCALE"));
+                let turns = if instanced["ROTATION"].is_null() { Vec::new() } else { of("ROTATION") };
                 for (instance, feature) in of("_FEATURE_ID_0").iter().enumerate() {
                     let place = DVec3::from_slice(&places[instance]);
-                    let (turn, scale) = (DQuat::from_slice(&turns[instance]), scales[instance][0]);
+                    let turn = turns
+                        .get(instance)
+                        .map_or(DQuat::IDENTITY, |turn| DQuat::from_slice(turn).normalize());
+                    let scale = DVec3::from_slice(&scales[instance]);
                     positions.iter().for_each(|at| add(feature[0], turn * (*at * scale) + place));
                     triangles += count;
                 }
@@ -213,7 +218,8 @@ fn what_is_small_is_left_out_and_boxes_are_few_triangles() {
     let (all, triangles) = written(&scene, &PLAIN).features();
     let (large, fewer) = written(&scene, &CompactOptions { least_size: 0.3, ..PLAIN }).features();
     assert!(large.len() < all.len() && fewer < triangles);
-    let shapes = Shapes::Coarse { least_width: 0.1, boxed: 1.0, has_trim: false };
+    let shapes =
+        Shapes::Coarse(Coarse { least_width: 0.1, boxed: 1.0, rounding: 0.1, sheet: 0.05, has_trim: false });
     let boxes = CompactOptions { least_size: 0.3, shapes, instancing: Instancing::None, ..PLAIN };
     let (seen, least) = written(&scene, &boxes).features();
     assert!(least * 3 < fewer, "{least} of {fewer}");
@@ -242,4 +248,24 @@ fn an_empty_scene_is_an_empty_file() {
     let scene = Scene { root: Node { children: Vec::new(), ..scene.root.clone() }, ..scene };
     let file = written(&scene, &PLAIN);
     assert!(file.json.get("meshes").is_none() && file.json.get("extensionsRequired").is_none());
+}
+
+#[test]
+fn boxes_are_instances_of_one_cube_where_they_were() {
+    let scene = living();
+    let shapes =
+        Shapes::Coarse(Coarse { least_width: 0.03, boxed: 0.4, rounding: 0.03, sheet: 0.0, has_trim: true });
+    let coarse = CompactOptions { least_size: 0.1, shapes, most_draws: 20, ..PLAIN };
+    let file = written(&scene, &coarse);
+    let merged = written(&scene, &CompactOptions { instancing: Instancing::None, ..coarse });
+    let cubes = file.json["meshes"].as_array().unwrap().iter().filter(|mesh| mesh["name"] == "boxes").count();
+    assert!(cubes > 3, "{cubes}");
+    assert!(file.data.len() * 3 < merged.data.len() * 2, "{} of {}", file.data.len(), merged.data.len());
+    let (features, expected) = (file.features().0, merged.features().0);
+    assert_eq!(features.len(), expected.len());
+    for (key, [low, high]) in &expected {
+        let [found_low, found_high] = features[key];
+        let off = (found_low - low).abs().max((found_high - high).abs()).max_element();
+        assert!(off < 0.002, "{key:?} is off by {off} m");
+    }
 }

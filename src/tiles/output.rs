@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::tileset;
-use crate::compact::{Coloring, CompactOptions, Instancing, Known, Shapes, write_compact};
+use crate::compact::{Coarse, Coloring, CompactOptions, Instancing, Known, Shapes, write_compact};
 use crate::disk::content_hash;
 use crate::mesh::{Image, TextureUse};
 use crate::model::Detail;
@@ -39,12 +39,14 @@ struct TilesOutput {
 /// Metres of the smallest and thinnest parts of boxes: less than what they are wrong by where they are shown first
 /// ([`super::near`]).
 const LEAST_OF_BOXES: f64 = 0.4;
-const SHAPES_OF_BOXES: Shapes = Shapes::Coarse { least_width: 0.12, boxed: 1.0, has_trim: false };
+const SHAPES_OF_BOXES: Shapes =
+    Shapes::Coarse(Coarse { least_width: 0.12, boxed: 1.0, rounding: 0.1, sheet: 0.05, has_trim: false });
 /// Metres of the smallest and thinnest parts of reduced levels.
 const LEAST_OF_REDUCED: f64 = 0.1;
-const SHAPES_OF_REDUCED: Shapes = Shapes::Coarse { least_width: 0.03, boxed: 0.4, has_trim: true };
+const SHAPES_OF_REDUCED: Shapes =
+    Shapes::Coarse(Coarse { least_width: 0.03, boxed: 0.4, rounding: 0.03, sheet: 0.0, has_trim: true });
 /// Draw calls of a level up to which equal models are instances; seven reduced levels of a tower are in view before its façade.
-const DRAWS_OF_REDUCED: usize = 40;
+const DRAWS_OF_REDUCED: usize = 42;
 const DRAWS_OF_FULL: usize = 300;
 /// Metres of the coarsest steps of positions; levels of 65 m have steps of a millimetre.
 const STEP_OF_FULL: f64 = 0.003;
