@@ -28,7 +28,7 @@ pub(super) struct LoosePart {
 const MOST_TRIANGLES: usize = 600;
 /// Metres between the places at which it is looked at, and the most of them along a side.
 const GAP: f32 = 0.1;
-const MOST_PLACES: usize = 24;
+const MOST_PLACES: f32 = 24.0;
 
 impl LooseParts {
     pub(super) fn of(primitive: &Primitive) -> Self {
@@ -68,10 +68,10 @@ impl LoosePart {
     }
 
     /// Whether the part is nowhere farther below the faces of its box than so many metres; within as many from the edges of a face, it
-    /// may be rounded.
+    /// may be rounded. No part is so for a depth below zero.
     pub(super) fn fills_box(&self, primitive: &Primitive, depth: f64) -> bool {
         let depth = depth as f32;
-        if self.triangles.len() > MOST_TRIANGLES {
+        if depth < 0.0 || self.triangles.len() > MOST_TRIANGLES {
             return false;
         }
         let at = |corner: u32| Vec3::from_array(primitive.positions[corner as usize]);
@@ -98,7 +98,8 @@ fn places(low: f32, high: f32, margin: f32) -> impl Iterator<Item = f32> {
     } else {
         (low.midpoint(high), low.midpoint(high))
     };
-    let count = (((high - low) / GAP) as usize + 2).min(MOST_PLACES);
+    // Limited before it is a count: a side may be as long as its numbers go.
+    let count = ((high - low) / GAP).min(MOST_PLACES - 2.0) as usize + 2;
     (0..count).map(move |number| low + (high - low) * number as f32 / (count - 1) as f32)
 }
 
