@@ -35,7 +35,8 @@ pub(crate) fn arrange(environment: &mut Environment<'_>, key: &RoomKey) {
     }
 }
 
-/// One agent's step: a found parent and a free place lead to rest, else it is removed, and what stands in for it searches.
+/// One agent's step: a found parent and a free place lead to rest, else it is removed, and what stands in for it searches. What was
+/// there to carry it alone leaves first, so that this and all who found no place before may have the space.
 fn act(environment: &mut Environment<'_>, agent: AgentIndex, key: &RoomKey) {
     if let Some(place) = locked_place(environment, agent) {
         return environment.settle(agent, &place);
