@@ -6,7 +6,7 @@
 
 use core::f64::consts::PI;
 
-use crate::catalog::{Clearance, Grid, Side, Turn};
+use crate::catalog::{Clearance, Grid, RelationKind, Side, Turn};
 use crate::geometry::{Bounds, Point};
 use crate::layout::body::Pose;
 use crate::layout::constants::{LINE_STEP, SCAN_POINTS};
@@ -19,20 +19,24 @@ use super::floor::elevation;
 use super::relation::best_quarter;
 use super::turn::{self, Bearing};
 
+/// Metres beyond its margin at which the first row stands before what the pieces face, at most: in a hall that they do not fill,
+/// they do not stand in its middle.
+const FARTHEST_ROW: f64 = 1.5;
+/// Blocks that are tried until one has a place over the floor for every lamp: the last has three times as many as there are lamps.
+const MOST_BLOCKS: usize = 18;
+
 /// Poses on the lattice of the agent's class, starting with the first that no neighbour holds.
 pub(super) fn propose(view: &View<'_>, grid: &Grid, key: &RoomKey, poses: &mut Vec<Pose>) {
     let lattice = Lattice::new(view, grid, key);
-    let Lattice { members, axes, block: Block { first, counts }, .. } = &lattice;
+    let Lattice { members, axes, block, .. } = &lattice;
     let resting = view.environment.resting[view.environment.agents[view.agent].piece.class].len();
-    let total = counts[0] * counts[1] * members.len();
+    let total = block.len() * members.len();
     // Each agent begins behind those that rest, where its own slot is usually free.
     for slot in (0..total).map(|index| (index + resting) % total) {
         let (place, member) = (slot / members.len(), &members[slot % members.len()]);
-        let at = [place % counts[0], place / counts[0]];
-        let at = Point::new(axes[0].offset(at[0], counts[0]), axes[1].offset(at[1], counts[1]));
-        poses.push(lattice.pose(view, *first + at, member));
+        poses.push(lattice.pose(view, block.place(axes, place), member));
     }
-    add_outside(lattice.block, lattice.middles, axes, |point| {
+    add_outside(*block, lattice.middles, axes, |point| {
         poses.extend(members.iter().map(|member| lattice.pose(view, point, member)));
     });
 }
@@ -84,8 +88,13 @@ impl Lattice {
         let frame = Pose::new(Point::ZERO, 0.0, angle);
         let bounds = within_margins(view, grid, extent(view, &frame));
         let members = members(view, grid);
-        let (block, axes) = Block::new(view, grid, bounds, members.len(), &mut stream);
         let half = half_of_place(view, grid);
+        let wanted = wanted(view).div_ceil(members.len());
+        let mut lay = |wanted| Block::new(view, grid, bounds, wanted, &mut stream);
+        let (block, axes) = match view.parent {
+            ParentPart::Ceiling => over_floor(wanted, lay, |place| is_over_floor(view, &frame, place, half)),
+            _ => lay(wanted),
+        };
         let middles = Bounds::new(bounds.low + half, bounds.high - half);
         Self { frame, angle, axes, members, block, middles }
     }
@@ -142,6 +151,13 @@ impl Margins {
     }
 }
 
+/// How many agents of the class there are.
+fn wanted(view: &View<'_>) -> usize {
+    let agents = &view.environment.agents;
+    let class = agents[view.agent].piece.class;
+    agents.iter().filter(|agent| agent.piece.class == class).count()
+}
+
 /// The angle of all agents of the class: towards what they want to face, where it is in the room, else as the
 /// rule says.
 fn angle(view: &View<'_>, stream: &mut Stream) -> f64 {
@@ -173,18 +189,15 @@ struct Block {
 }
 
 impl Block {
-    /// The block for all agents of a class within some bounds, with so many members at each place, and its axes.
+    /// The block of so many places within some bounds, and its axes.
     fn new(
         view: &View<'_>,
         grid: &Grid,
         bounds: Bounds,
-        members: usize,
+        wanted: usize,
         stream: &mut Stream,
     ) -> (Self, [Axis; 2]) {
         let axes = [Axis::new(grid, 0), Axis::new(grid, 1)];
-        let agents = &view.environment.agents;
-        let class = agents[view.agent].piece.class;
-        let wanted = agents.iter().filter(|agent| agent.piece.class == class).count().div_ceil(members);
         let frame_room = |margins: &Margins| (bounds.size() - margins.low - margins.high).max(Point::ZERO);
         let most_in = |room: Point| [axes[0].count(room.x), axes[1].count(room.y)];
         let has_places = |margins: &Margins| most_in(frame_room(margins)).iter().product::<usize>() >= wanted;
@@ -204,8 +217,52 @@ impl Block {
         let slack = (room - span).max(Point::ZERO);
         let share =
             if grid.is_centered { Point::splat(0.5) } else { Point::new(stream.unit(), stream.unit()) };
-        (Self { first: bounds.low + margins.low + slack * share, counts }, axes)
+        let mut offset = slack * share;
+        if view.class.relations.iter().any(|wish| wish.kind == RelationKind::Faces) {
+            offset.y = offset.y.min(FARTHEST_ROW);
+        }
+        (Self { first: bounds.low + margins.low + offset, counts }, axes)
     }
+
+    /// How many places it has.
+    fn len(&self) -> usize {
+        self.counts[0] * self.counts[1]
+    }
+
+    /// A place of it, row by row, in the frame of the lattice.
+    fn place(&self, axes: &[Axis; 2], index: usize) -> Point {
+        let at = [index % self.counts[0], index / self.counts[0]];
+        let offset = |axis: usize| axes[axis].offset(at[axis], self.counts[axis]);
+        self.first + Point::new(offset(0), offset(1))
+    }
+}
+
+/// The block of which as many places as wanted are over the floor: the box of a room with wings has others, too.
+fn over_floor(
+    wanted: usize,
+    mut lay: impl FnMut(usize) -> (Block, [Axis; 2]),
+    is_over_floor: impl Fn(Point) -> bool,
+) -> (Block, [Axis; 2]) {
+    let mut asked = wanted;
+    let (mut block, mut axes) = lay(asked);
+    for _ in 0..MOST_BLOCKS {
+        let places = (0..block.len()).map(|index| block.place(&axes, index));
+        let lacking = wanted.saturating_sub(places.filter(|&place| is_over_floor(place)).count());
+        if lacking == 0 {
+            break;
+        }
+        // Small steps: what is over the floor beyond those wanted stays dark.
+        asked += lacking.max(asked / 16);
+        (block, axes) = lay(asked);
+    }
+    (block, axes)
+}
+
+/// Whether what takes a place, half of it from the middle, has floor under its corners.
+fn is_over_floor(view: &View<'_>, frame: &Pose, place: Point, half: Point) -> bool {
+    let region = &view.environment.brief.surroundings.room.region;
+    let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+    corners.iter().all(|&(x, y)| region.contains(frame.turn(place + half * Point::new(x, y))))
 }
 
 /// Lattice points of an area outside the chosen block, for agents whose slot is taken by a column or a door.
@@ -214,14 +271,20 @@ fn add_outside(block: Block, area: Bounds, axes: &[Axis; 2], mut add: impl FnMut
     let before = [0, 1].map(|axis| axes[axis].count_before((first - low)[axis]));
     let after = [axes[0].count(high.x - first.x) as i64, axes[1].count(high.y - first.y) as i64];
     let at = |axis: usize, index: i64| axes[axis].at(index, counts[axis]);
+    // Lines between a place and the block; none for those of the block.
+    let beyond = |axis: usize, index: i64| (-index).max(index - (counts[axis] as i64 - 1)).max(0);
+    let mut places: Vec<(i64, Point)> = Vec::new();
     for row in -before[1]..after[1] {
         for column in -before[0]..after[0] {
-            let is_in_block = |index: i64, count: usize| (0..count as i64).contains(&index);
-            if !(is_in_block(column, counts[0]) && is_in_block(row, counts[1])) {
-                add(first + Point::new(at(0, column), at(1, row)));
+            let lines = beyond(0, column) + beyond(1, row);
+            if lines > 0 {
+                places.push((lines, first + Point::new(at(0, column), at(1, row))));
             }
         }
     }
+    // Who has no place in the block stays beside it: a seat at the other end of a hall is alone.
+    places.sort_by_key(|(lines, _)| *lines);
+    places.into_iter().for_each(|(_, place)| add(place));
 }
 
 /// Bounding box of the room in the frame of its longest wall.
@@ -249,6 +312,22 @@ mod tests {
         let mut across: Vec<f64> = placements.iter().map(|one| one.position.x).collect();
         across.sort_by(f64::total_cmp);
         assert!((across[0] - 3.0).abs() < 1e-9 && (across[1] - 9.0).abs() < 1e-9, "{across:?}");
+    }
+
+    #[test]
+    fn the_lamps_of_a_room_with_wings_all_hang_in_the_lattice() {
+        let level = level(&[(0.0, 0.0), (18.0, 0.0), (18.0, 4.0), (4.0, 4.0), (4.0, 15.0), (0.0, 15.0)]);
+        for count in [5, 12, 17] {
+            let lamps = catalog(&[(LIGHT, Count::Fixed(count))], Untidiness::default());
+            let placements = run(&level, &lamps, 1).placements;
+            assert_eq!(placements.len(), count as usize);
+            let nearest = |one: &Placement| {
+                let others = placements.iter().filter(|other| other.position != one.position);
+                others.map(|other| other.position.distance(one.position)).fold(f64::INFINITY, f64::min)
+            };
+            let least = placements.iter().map(nearest).fold(f64::INFINITY, f64::min);
+            assert!(least >= 2.0, "{count} lamps, two of them {least} m apart");
+        }
     }
 
     #[test]

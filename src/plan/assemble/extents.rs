@@ -70,7 +70,8 @@ pub(super) fn is_hopeless(assembly: &mut Assembly<'_>) -> bool {
     if all > 1 {
         let sides = assembly.draft.rooms.iter().map(side);
         let unit = mistaken_unit(median(sides)).map(|unit| format!(": perhaps {unit}")).unwrap_or_default();
-        let message = format!("{wrong} of {all} rooms are too large, too high or too far away: none was read");
+        let message =
+            format!("{wrong} of {all} rooms are too large, too high or too far away: none was read");
         let hint = format!("check the unit of length{unit}");
         assembly.problems.push(Problem::impossible(Subject::Level, message, &hint));
     }
