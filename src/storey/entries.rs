@@ -21,6 +21,8 @@ const PLACES_APART: f64 = 8.0;
 const LONG_ROOM: f64 = 30.0;
 /// Metres of wall at the street that are enough for a door.
 const LEAST_FRONT: f64 = 1.2;
+/// Metres of wall from which on it has a place for a way out.
+const LEAST_WALL: f64 = 1.4;
 /// Further ways out of a room at most.
 const MOST_WAYS_OUT: usize = 24;
 
@@ -42,7 +44,8 @@ pub(super) fn links_of_ground(grounds: &[Ground], partition: &Partition<'_>, str
     links
 }
 
-/// A way out of the room that is farthest from all others, where that is too far.
+/// A way out of the room that is farthest from all others, where that is too far; of one that people do not pass through, out of the
+/// one before it.
 fn door_of_the_far(
     ground: &Ground,
     partition: &Partition<'_>,
@@ -50,8 +53,24 @@ fn door_of_the_far(
     entries: &[Entry],
 ) -> Option<Entry> {
     let (room, _) = too_far_out(partition, links, true)?;
-    let is_new = entries.len() < MOST_WAYS_OUT && entries.iter().all(|entry| entry.room != room);
-    if is_new && partition.is_public(room) { free_wall(ground, partition, room) } else { None }
+    if entries.len() >= MOST_WAYS_OUT {
+        return None;
+    }
+    let is_new = entries.iter().all(|entry| entry.room != room);
+    let own = if is_new && partition.is_public(room) { free_wall(ground, partition, room) } else { None };
+    let doors: Vec<Point> = entries.iter().map(|entry| entry.port.at).collect();
+    let before = links.links.iter().filter_map(|link| match link.rooms {
+        (one, Some(other)) if other == room => Some(one),
+        (one, other) if one == room => other,
+        _ => None,
+    });
+    own.or_else(|| {
+        before.filter(|&before| partition.is_public(before)).find_map(|before| {
+            let places = door_places(ground, partition, before);
+            let (gap, port) = farthest_from(&doors, &places)?;
+            (gap > PLACES_APART).then_some(Entry { room: before, port })
+        })
+    })
 }
 
 /// A way into the first room that none leads to, if people may pass through it.
@@ -76,27 +95,38 @@ fn ways_out(ground: &Ground, partition: &Partition<'_>, entries: &[Entry]) -> Ve
     };
     let mut found = Vec::new();
     for room in (0..partition.cells.len()).filter(is_large) {
-        let walls = partition.light(ground, room);
-        let walls = walls.iter().filter(|wall| wall.length() > 1.4);
-        // In the middle of a wall, and along it: clear of its ends.
-        let places: Vec<(Point, Point)> = walls
-            .flat_map(|wall| {
-                let count = (wall.length() / PLACES_APART).floor().max(1.0) as u32;
-                (0..count)
-                    .map(move |number| (wall.at((f64::from(number) + 0.5) / f64::from(count)), wall.normal()))
-            })
-            .collect();
+        let places = door_places(ground, partition, room);
         let mut doors: Vec<Point> = entries.iter().map(|entry| entry.port.at).collect();
         for _ in 0..MOST_WAYS_OUT {
-            let gap = |at: Point| doors.iter().map(|door| door.distance(at)).fold(f64::INFINITY, f64::min);
-            let farthest = places.iter().map(|place| (gap(place.0), place));
-            let farthest = farthest.reduce(|a, b| if b.0 > a.0 { b } else { a });
-            let Some((_, &(at, way))) = farthest.filter(|(gap, _)| *gap > DOORS_APART) else { break };
-            doors.push(at);
-            found.push(Entry { room, port: Port { at, way } });
+            let farthest = farthest_from(&doors, &places);
+            let Some((_, port)) = farthest.filter(|(gap, _)| *gap > DOORS_APART) else { break };
+            doors.push(port.at);
+            found.push(Entry { room, port });
         }
     }
     found
+}
+
+/// Where a room may have doors to the open air: in the middle of its free walls, and along them, clear of their ends.
+fn door_places(ground: &Ground, partition: &Partition<'_>, room: usize) -> Vec<Port> {
+    let walls = partition.light(ground, room);
+    let walls = walls.iter().filter(|wall| wall.length() > LEAST_WALL);
+    walls
+        .flat_map(|wall| {
+            let count = (wall.length() / PLACES_APART).floor().max(1.0) as u32;
+            (0..count).map(move |number| Port {
+                at: wall.at((f64::from(number) + 0.5) / f64::from(count)),
+                way: wall.normal(),
+            })
+        })
+        .collect()
+}
+
+/// The place that is farthest from the nearest of some doors, with its metres.
+fn farthest_from(doors: &[Point], places: &[Port]) -> Option<(f64, Port)> {
+    let gap = |at: Point| doors.iter().map(|door| door.distance(at)).fold(f64::INFINITY, f64::min);
+    let farthest = places.iter().map(|port| (gap(port.at), *port));
+    farthest.reduce(|a, b| if b.0 > a.0 { b } else { a })
 }
 
 /// Doors of the ground floor: for flats one at each stairs and each shop below them, else where the entrance is. It leads into no

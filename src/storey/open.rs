@@ -182,7 +182,11 @@ fn at_end(ground: &Ground, end: End<'_>, is_top: bool, is_right: bool) -> Option
     let (bottom, top) = extent(&ground.ring, Axis::Y);
     let wanted: f64 = services.iter().map(|(_, area)| area).sum();
     let (left, right) = extent(&ground.ring, Axis::X);
-    let least = if has_stairs { DEPTH.1 } else { (wanted / (right - left)).clamp(1.6, DEPTH.0) };
+    let width_of = |room_type: &str| typologies.rooms.get(room_type).map_or(1.1, |needs| needs.width);
+    // Deep enough for the room that needs most, also at an outer wall that is not quite parallel.
+    let widest = services.iter().map(|(room_type, _)| 1.1 * width_of(room_type)).fold(1.6, f64::max);
+    let least =
+        if has_stairs { DEPTH.1 } else { (wanted / (right - left)).clamp(widest, DEPTH.0.max(widest)) };
     let depth = least.max(wanted / (right - left)).min((top - bottom) * 0.5);
     let at = if is_top { top - depth } else { bottom + depth };
     let (below, above) = split(&ground.ring, Axis::Y, at);
@@ -211,9 +215,8 @@ fn at_end(ground: &Ground, end: End<'_>, is_top: bool, is_right: bool) -> Option
         })
         .collect();
     let (small, crumbs) = cut_along(&[row], &places);
-    let least = |room_type: &str| typologies.rooms.get(room_type).map_or(1.1, |needs| needs.width);
     let is_wide = |(ring, (room_type, _)): (&Ring, &(&str, f64))| {
-        !ring.is_empty() && is_as_wide_as(ring, least(room_type))
+        !ring.is_empty() && is_as_wide_as(ring, width_of(room_type))
     };
     if !small.iter().zip(services).all(is_wide) {
         return None;
