@@ -7,13 +7,10 @@ import os
 import shutil
 import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 from conftest import ROOT
-from jsonschema import Draft202012Validator
-from referencing import Registry, Resource
 from tile_site import Site, features, offsets_of
 
 from roomwright import validate
@@ -269,30 +266,3 @@ def test_what_the_program_writes_has_no_fault(tmp_path, options):
     subprocess.run([program, "tiles", project, *options, "--out", tmp_path / "tiles", "--quiet"], check=True)
     status, report = run(tmp_path / "tiles")
     assert (status, report["tilesets"], report["faults"]) == (0, 1, [])
-
-
-SCHEMAS = os.environ.get("ROOMWRIGHT_TILES_SCHEMAS")
-
-
-@pytest.mark.skipif(not SCHEMAS, reason="ROOMWRIGHT_TILES_SCHEMAS does not name specification/schema of CesiumGS/3d-tiles")
-@pytest.mark.parametrize("plan", ["plans/hotel-tower.yaml", "quarter/delft.city.json"])
-def test_the_schemas_of_the_specification_are_kept(tmp_path, plan):
-    program = ROOT / os.environ.get("ROOMWRIGHT_PROGRAM", "target/release/roomwright")
-    command = [program, "tiles", ROOT / "configs" / plan, "--out", tmp_path, "--textures", "none", "--quiet"]
-    assert subprocess.run(command).returncode == 0
-    validator = specification(Path(SCHEMAS))
-    tilesets = [tmp_path / "tileset.json", *(tmp_path / "tileset").glob("*.json")]
-    documents = [json.loads(path.read_text()) for path in tilesets]
-    assert [error.message for document in documents for error in validator.iter_errors(document)] == []
-    documents[0]["root"]["geometricError"] = -1
-    assert not validator.is_valid(documents[0])
-
-
-def specification(folder: Path) -> Draft202012Validator:
-    """Judges tilesets. The schemas name each other by the names of their files alone, which are distinct."""
-    paths = {path.name: path for path in folder.rglob("*.json")}
-
-    def read(uri: str) -> Resource:
-        return Resource.from_contents(json.loads(paths[uri.rsplit("/", 1)[-1]].read_text()))
-
-    return Draft202012Validator(json.loads(paths["tileset.schema.json"].read_text()), registry=Registry(retrieve=read))
