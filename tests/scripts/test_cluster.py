@@ -305,9 +305,9 @@ def test_plans_that_take_long_to_read_are_read_by_fewer_units():
 
 
 def test_a_sample_is_a_small_part_of_many_levels_and_comes_from_all_over_them():
-    for count, expected in ((2, 2), (100, 3), (1000, 5), (100_000, 24)):
-        sample = sample_of(list(range(count)))
-        assert len(sample) == expected and sample[-1] >= count / 2
+    for count, rooms, expected in ((2, 3, 2), (100, 3, 3), (1000, 3, 5), (100_000, 3, 24), (1000, 40, 3), (100_000, 40, 3)):
+        sample = sample_of([{"number": number, "rooms": {"bedroom": rooms}} for number in range(count)])
+        assert len(sample) == expected and sample[-1]["number"] >= count / 2
 
 
 def test_one_large_level_is_a_unit_of_its_own_and_the_first():

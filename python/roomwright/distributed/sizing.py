@@ -8,6 +8,7 @@ these options are from them.
 from __future__ import annotations
 
 import json
+import math
 import os
 import tempfile
 from pathlib import Path
@@ -18,14 +19,17 @@ from .job import MOST_UNITS
 from .listing import room_count
 from .program import run
 
-# Levels of the sample: this part of all, within these bounds. It is baked twice, and the first of it once more.
+# Levels of the sample: this part of all, but not more than have so many rooms, within these bounds. It is baked twice, and the
+# first of it once more.
 SAMPLE_PART = 0.005
+ENOUGH_ROOMS = 100
 LEAST_SAMPLE, LARGEST_SAMPLE = 3, 24
 # Seconds of the largest units, if the plans are read soon: what a lost machine costs.
 UNIT_SECONDS = 45.0
 # A unit takes at most this part of what is left for each worker, so that units become smaller towards the end and the last
-# ones end together (guided self-scheduling; C. Polychronopoulos and D. Kuck, 1987).
-PART_OF_REST = 1 / 3
+# ones end together (guided self-scheduling; C. Polychronopoulos and D. Kuck, 1987). Half, as the costs are known well (factoring;
+# S. Hummel, E. Schonberg and L. Flynn, 1992): a smaller part makes more units, each of which has a start.
+PART_OF_REST = 1 / 2
 # The start takes a fifteenth of the smallest units at most, and a thirtieth of the others.
 SMALLEST_IN_STARTS = 15.0
 LARGEST_IN_STARTS = 30.0
@@ -86,7 +90,8 @@ def measure(program: Path, folder: Path, arguments: list[str], listed: dict, cac
 
 def sample_of(levels: list[dict]) -> list[dict]:
     """Levels from all over the plans."""
-    count = min(LARGEST_SAMPLE, max(LEAST_SAMPLE, round(SAMPLE_PART * len(levels))))
+    enough = math.ceil(ENOUGH_ROOMS * len(levels) / max(1, room_count(levels)))
+    count = min(LARGEST_SAMPLE, max(LEAST_SAMPLE, min(round(SAMPLE_PART * len(levels)), enough)))
     return levels[:: max(1, len(levels) // count)][:count]
 
 
