@@ -28,8 +28,10 @@ pub(super) enum Kind {
     Vectors,
     /// Rotations of instances: shares of the highest number of 16 bits, which is a fifth of a millimetre at a reach of six metres.
     Rotations,
-    /// Numbers of features of instances.
+    /// Numbers of features of instances, which are no corners: they need not fill four bytes.
     InstanceFeatures,
+    /// The same where there are more than 16 bits count.
+    ManyInstanceFeatures,
     /// Indices of fewer corners than 16 bits count.
     ShortIndices,
     /// Indices of more.
@@ -48,7 +50,7 @@ const ARRAY_BUFFER: u32 = 34_962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34_963;
 
 impl Kind {
-    const ALL: [Self; 12] = [
+    const ALL: [Self; 13] = [
         Self::Steps,
         Self::Metres,
         Self::Normals,
@@ -59,6 +61,7 @@ impl Kind {
         Self::Vectors,
         Self::Rotations,
         Self::InstanceFeatures,
+        Self::ManyInstanceFeatures,
         Self::ShortIndices,
         Self::LongIndices,
     ];
@@ -72,9 +75,9 @@ impl Kind {
             Self::Colors => (UNSIGNED_BYTE, "VEC4", true, 4),
             Self::Coordinates => (FLOAT, "VEC2", false, 8),
             Self::Shares => (UNSIGNED_SHORT, "VEC2", true, 4),
-            Self::Features | Self::InstanceFeatures => (FLOAT, "SCALAR", false, 4),
+            Self::Features | Self::ManyInstanceFeatures => (FLOAT, "SCALAR", false, 4),
             Self::Rotations => (SHORT, "VEC4", true, 8),
-            Self::ShortIndices => (UNSIGNED_SHORT, "SCALAR", false, 2),
+            Self::InstanceFeatures | Self::ShortIndices => (UNSIGNED_SHORT, "SCALAR", false, 2),
             Self::LongIndices => (UNSIGNED_INT, "SCALAR", false, 4),
         }
     }
@@ -83,7 +86,7 @@ impl Kind {
     const fn target(self) -> Option<u32> {
         match self {
             Self::ShortIndices | Self::LongIndices => Some(ELEMENT_ARRAY_BUFFER),
-            Self::Vectors | Self::Rotations | Self::InstanceFeatures => None,
+            Self::Vectors | Self::Rotations | Self::InstanceFeatures | Self::ManyInstanceFeatures => None,
             _ => Some(ARRAY_BUFFER),
         }
     }

@@ -2,12 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use glam::DQuat;
+use glam::{DQuat, Vec3};
 use serde_json::{Map, Value, json};
 
 use super::Shown;
 use super::buffer::{Arrays, Kind};
-use super::encode::{EncodedPart, Grid, encode, numbers, rotations};
+use super::encode::{EncodedPart, Grid, encode, instance_features, numbers, rotations};
 use super::feature::Feature;
 use super::instances::Instances;
 use super::lights;
@@ -46,7 +46,7 @@ pub(super) fn write(parts: &Parts<'_>) -> Result<Vec<u8>, GltfError> {
         materials: &materials.of_surface,
         feature_count: parts.features.len(),
     };
-    let table = (!parts.features.is_empty()).then(|| Table::new(parts.features, &mut text.arrays));
+    let table = Table::new(parts.features, &mut text.arrays);
     let lit = if parts.options.keeps_nodes { lights::kept(parts.shown.scene) } else { BTreeSet::new() };
     let kept =
         if parts.options.keeps_nodes { gltf::bare_nodes(&parts.shown.scene.root, &lit) } else { Vec::new() };
@@ -247,19 +247,24 @@ impl Text<'_> {
             parts.map(|(look, part)| self.primitive(surfaces[*look], part)).collect();
         self.meshes.push(json!({"name": name, "primitives": primitives}));
         self.used.extend([QUANTIZATION, GPU_INSTANCING, INSTANCE_FEATURES]);
-        let translations = places.iter().flat_map(|place| place.frame.translation.as_vec3().to_array());
-        let scales = places.iter().flat_map(|place| place.scale.to_array());
-        let features = places.iter().map(|place| place.feature as f32);
+        // Places in steps of the model, so that the node alone has to say how large a step is.
+        let step = f64::from(model.step);
+        let translations =
+            places.iter().flat_map(|place| (place.frame.translation / step).as_vec3().to_array());
+        let (kind, features) = instance_features(places.iter().map(|place| place.feature));
         let mut attributes = json!({
             "TRANSLATION": self.arrays.add(Kind::Vectors, &numbers(translations)),
-            "SCALE": self.arrays.add(Kind::Vectors, &numbers(scales)),
-            FEATURE_ID: self.arrays.add(Kind::InstanceFeatures, &numbers(features)),
+            FEATURE_ID: self.arrays.add(kind, &features),
         });
+        if places.iter().any(|place| place.scale != Vec3::ONE) {
+            let scales = places.iter().flat_map(|place| place.scale.to_array());
+            attributes["SCALE"] = json!(self.arrays.add(Kind::Vectors, &numbers(scales)));
+        }
         if places.iter().any(|place| place.frame.rotation != DQuat::IDENTITY) {
             let turns = rotations(places.iter().map(|place| place.frame.rotation));
             attributes["ROTATION"] = json!(self.arrays.add(Kind::Rotations, &turns));
         }
-        let node = json!({
+        let mut node = json!({
             "name": name,
             "mesh": self.meshes.len() - 1,
             "extensions": {
@@ -267,6 +272,9 @@ impl Text<'_> {
                 INSTANCE_FEATURES: self.feature_ids(),
             },
         });
+        if model.step != 1.0 {
+            node["scale"] = json!([model.step, model.step, model.step]);
+        }
         self.node(node)
     }
 

@@ -141,6 +141,15 @@ pub(super) fn rotations(rotations: impl Iterator<Item = DQuat>) -> Vec<u8> {
     rotations.flat_map(|rotation| rotation.to_array()).flat_map(share).collect()
 }
 
+/// Numbers of features of instances as they are in files.
+pub(super) fn instance_features(features: impl Iterator<Item = usize> + Clone) -> (Kind, Vec<u8>) {
+    let shorts: Result<Vec<u16>, _> = features.clone().map(u16::try_from).collect();
+    match shorts {
+        Ok(shorts) => (Kind::InstanceFeatures, shorts.into_iter().flat_map(u16::to_le_bytes).collect()),
+        Err(_) => (Kind::ManyInstanceFeatures, numbers(features.map(|feature| feature as f32))),
+    }
+}
+
 /// Numbers as they are in files.
 pub(super) fn numbers(numbers: impl Iterator<Item = f32>) -> Vec<u8> {
     // Without a negative zero.

@@ -18,9 +18,9 @@ use super::options::{CompactOptions, Instancing};
 /// About as many bytes as a corner takes with its attributes and its share of the indices.
 const BYTES_OF_CORNER: usize = 24;
 /// Bytes that one instance takes.
-const BYTES_OF_INSTANCE: usize = 44;
+const BYTES_OF_INSTANCE: usize = 22;
 /// Bytes that a box takes as an instance: most have no rotation.
-const BYTES_OF_CUBE: usize = 30;
+const BYTES_OF_CUBE: usize = 28;
 
 /// What becomes instances.
 #[derive(Clone, Debug, Default, PartialEq)]

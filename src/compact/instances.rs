@@ -8,7 +8,7 @@ use glam::Vec3;
 use super::Shown;
 use super::encode::{EncodedPart, Grid, encode};
 use super::listing::{Drawn, Frame};
-use super::merged::{Merged, Surface, looks_of, merge, ordered_surfaces};
+use super::merged::{Surface, looks_of, merge, ordered_surfaces};
 use crate::mesh::Model;
 
 /// A mesh with the places where it stands.
@@ -25,7 +25,7 @@ pub(super) struct Instances {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Instance {
     pub(super) frame: Frame,
-    /// Metres of a step of the positions along each axis.
+    /// By how much it is larger than its model along each axis.
     pub(super) scale: Vec3,
     /// Index of its feature.
     pub(super) feature: usize,
@@ -69,8 +69,7 @@ impl KnownModels {
 
 fn encoded(shown: &Shown<'_>, mesh: usize) -> EncodedModel {
     let alone = Drawn { mesh, frame: Frame::IDENTITY, feature: 0 };
-    let mut merged = merge(shown, &[&alone]);
-    merged.values_mut().flatten().for_each(Merged::join_corners);
+    let merged = merge(shown, &[&alone]);
     let grid = Grid::of_model(merged.values().flatten().flat_map(|part| &part.positions));
     let surfaces = ordered_surfaces(shown, mesh).into_iter().enumerate();
     let parts = surfaces.flat_map(|(look, surface)| {
@@ -86,11 +85,7 @@ pub(super) fn gather(shown: &Shown<'_>, drawn: &[Drawn]) -> Vec<Instances> {
     drawn.iter().for_each(|drawn| places.entry(drawn.mesh).or_default().push(drawn));
     let gathered = places.into_iter().map(|(mesh, drawn)| {
         let model = shown.models_known.encoded(shown, mesh);
-        let place = |drawn: &Drawn| Instance {
-            frame: drawn.frame,
-            scale: Vec3::splat(model.step),
-            feature: drawn.feature,
-        };
+        let place = |drawn: &Drawn| Instance { frame: drawn.frame, scale: Vec3::ONE, feature: drawn.feature };
         let places = drawn.into_iter().map(place).collect();
         let name = shown.scene.meshes[mesh].name.clone();
         Instances { name, surfaces: ordered_surfaces(shown, mesh), model, places }

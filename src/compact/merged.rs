@@ -87,8 +87,8 @@ pub(super) fn looks_of(shown: &Shown<'_>, mesh: usize) -> Option<Vec<u32>> {
     Some(looks)
 }
 
-/// Numbers of a corner: place, normal, colour, texture coordinates.
-const KEY_NUMBERS: usize = 12;
+/// Numbers of a corner: place, normal, colour, texture coordinates, feature.
+const KEY_NUMBERS: usize = 13;
 
 /// White, which multiplies nothing.
 const WHITE: [f32; 4] = [1.0; 4];
@@ -124,12 +124,13 @@ pub(super) fn merge(shown: &Shown<'_>, drawn: &[&Drawn]) -> BTreeMap<Surface, Ve
             into.paint(primitive, &color, has_colors);
         }
     }
+    merged.values_mut().flatten().for_each(Merged::join_corners);
     merged
 }
 
 impl Merged {
     /// Makes one of corners that agree in everything; those with several sets of texture coordinates stay as they are.
-    pub(super) fn join_corners(&mut self) {
+    fn join_corners(&mut self) {
         if self.coordinates.len() > 1 {
             return;
         }
@@ -154,14 +155,14 @@ impl Merged {
         }
     }
 
-    /// Everything about a corner but its feature, of which models have one.
+    /// Everything about a corner.
     fn key(&self, corner: usize) -> [u32; KEY_NUMBERS] {
         let bits = |number: f32| (number + 0.0).to_bits();
         let [x, y, z] = self.positions[corner].as_vec3().to_array().map(bits);
         let [i, j, k] = self.normals[corner].to_array().map(bits);
         let [red, green, blue, opacity] = self.colors.get(corner).copied().unwrap_or_default().map(bits);
         let [u, v] = self.coordinates.first().map_or([0.0; 2], |set| set[corner]).map(bits);
-        [x, y, z, i, j, k, red, green, blue, opacity, u, v]
+        [x, y, z, i, j, k, red, green, blue, opacity, u, v, self.features[corner] as u32]
     }
 
     fn add(&mut self, primitive: &Primitive, frame: &Frame, feature: usize) {

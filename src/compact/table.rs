@@ -14,10 +14,14 @@ const CLASS: &str = "piece";
 /// A column: its name, what it says, and its value for a feature.
 type Column = (&'static str, &'static str, fn(&Feature) -> &str);
 
-/// All columns.
-const COLUMNS: [Column; 6] = [
+/// What is the same for all features of a file: each is the default of its property and has no column.
+const OF_LEVEL: [Column; 2] = [
     ("building", "Building id", |feature| &feature.building),
     ("level", "Level id", |feature| &feature.level),
+];
+
+/// What each feature has of its own.
+const COLUMNS: [Column; 4] = [
     ("room", "Room id; of an opening the ids of the rooms that it joins", |feature| &feature.room),
     ("room_type", "Room type; empty for openings", |feature| &feature.room_type),
     ("class", "Class of furniture, or kind of part or opening", |feature| &feature.class),
@@ -25,8 +29,10 @@ const COLUMNS: [Column; 6] = [
 ];
 
 /// A table whose columns are not yet in views.
-pub(super) struct Table {
+pub(super) struct Table<'f> {
     count: usize,
+    /// A feature of the level.
+    any: &'f Feature,
     columns: Vec<Texts>,
 }
 
@@ -47,9 +53,10 @@ fn packed(rising: &[u32]) -> (&'static str, Vec<u8>) {
     }
 }
 
-impl Table {
-    /// Adds the values of features.
-    pub(super) fn new(features: &[Feature], arrays: &mut Arrays) -> Self {
+impl<'f> Table<'f> {
+    /// Adds the values of features; `None` without any.
+    pub(super) fn new(features: &'f [Feature], arrays: &mut Arrays) -> Option<Self> {
+        let any = features.first()?;
         let columns = COLUMNS.iter().map(|(_, _, value)| {
             let mut text = Vec::new();
             let mut offsets = vec![0];
@@ -62,15 +69,19 @@ impl Table {
             text.resize(text.len().max(1), 0);
             Texts { values: arrays.add_table(text), offset_type, offsets: arrays.add_table(offsets) }
         });
-        Self { count: features.len(), columns: columns.collect() }
+        Some(Self { count: features.len(), any, columns: columns.collect() })
     }
 
     /// The extension of the file, given the view of each column.
     pub(super) fn extension(&self, views: &[usize]) -> Value {
-        let property =
-            |(_, about, _): &Column| json!({"description": about, "type": "STRING", "required": true});
+        let of_level = OF_LEVEL.iter().map(|(name, about, value)| {
+            (*name, json!({"description": about, "type": "STRING", "default": value(self.any)}))
+        });
+        let of_feature = COLUMNS.iter().map(|(name, about, _)| {
+            (*name, json!({"description": about, "type": "STRING", "required": true}))
+        });
         let properties: Map<String, Value> =
-            COLUMNS.iter().map(|column| (column.0.to_owned(), property(column))).collect();
+            of_level.chain(of_feature).map(|(name, property)| (name.to_owned(), property)).collect();
         let values: Map<String, Value> = COLUMNS
             .iter()
             .zip(&self.columns)

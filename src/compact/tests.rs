@@ -122,24 +122,27 @@ impl File {
                 let accessor = |value: &Value| value.as_u64().unwrap() as usize;
                 let positions = self.vectors(accessor(&primitive["attributes"]["POSITION"]));
                 let count = self.elements(accessor(&primitive["indices"])).len() / 3;
+                let (scale, move_by) = (vector("scale", 1.0), vector("translation", 0.0));
                 if instanced.is_null() {
                     let features = self.elements(accessor(&primitive["attributes"]["_FEATURE_ID_0"]));
-                    let (scale, move_by) = (vector("scale", 1.0), vector("translation", 0.0));
                     let corners = positions.iter().zip(features);
                     corners.for_each(|(at, feature)| add(feature[0], *at * scale + move_by));
                     triangles += count;
                     continue;
                 }
-                let of = |key: &str| self.elements(accessor(&instanced[key]));
-                let (places, scales) = (of("TRANSLATION"), of("SCALE"));
-                let turns = if instanced["ROTATION"].is_null() { Vec::new() } else { of("ROTATION") };
+                let of = |key: &str| match &instanced[key] {
+                    Value::Null => Vec::new(),
+                    given => self.elements(accessor(given)),
+                };
+                let (places, scales, turns) = (of("TRANSLATION"), of("SCALE"), of("ROTATION"));
                 for (instance, feature) in of("_FEATURE_ID_0").iter().enumerate() {
                     let place = DVec3::from_slice(&places[instance]);
                     let turn = turns
                         .get(instance)
                         .map_or(DQuat::IDENTITY, |turn| DQuat::from_slice(turn).normalize());
-                    let scale = DVec3::from_slice(&scales[instance]);
-                    positions.iter().for_each(|at| add(feature[0], turn * (*at * scale) + place));
+                    let own = scales.get(instance).map_or(DVec3::ONE, |scale| DVec3::from_slice(scale));
+                    let at_home = |at: &DVec3| (turn * (*at * own) + place) * scale;
+                    positions.iter().for_each(|at| add(feature[0], at_home(at)));
                     triangles += count;
                 }
             }
@@ -195,6 +198,46 @@ fn everything_is_drawn_where_the_scene_has_it_and_has_its_name() {
                 let off = (found_low - low).abs().max((found_high - high).abs()).max_element();
                 assert!(off < 0.001, "{key:?} is off by {off} m");
             }
+        }
+    }
+}
+
+#[test]
+fn what_all_pieces_share_is_said_once() {
+    let file = written(&living(), &PLAIN);
+    let metadata = &file.json["extensions"]["EXT_structural_metadata"];
+    let described = &metadata["schema"]["classes"]["piece"]["properties"];
+    assert_eq!(described["building"]["default"], "house");
+    assert_eq!(described["level"]["default"], "ground");
+    let columns: Vec<&String> =
+        metadata["propertyTables"][0]["properties"].as_object().unwrap().keys().collect();
+    assert_eq!(columns, ["class", "id", "room", "room_type"]);
+    assert!(columns.iter().all(|column| described[column.as_str()]["required"] == true));
+}
+
+#[test]
+fn corners_that_agree_in_everything_are_one() {
+    let scene = living();
+    for coloring in [Coloring::Corners, Coloring::Materials] {
+        let file = written(&scene, &CompactOptions { coloring, instancing: Instancing::None, ..PLAIN });
+        for primitive in file.json["meshes"][0]["primitives"].as_array().unwrap() {
+            let columns = primitive["attributes"].as_object().unwrap().values();
+            let columns: Vec<Vec<Vec<f64>>> =
+                columns.map(|accessor| file.elements(accessor.as_u64().unwrap() as usize)).collect();
+            let corner = |index: usize| -> Vec<u64> {
+                columns
+                    .iter()
+                    .flat_map(|column| column[index].iter().map(|number| number.to_bits()))
+                    .collect()
+            };
+            let different: std::collections::BTreeSet<Vec<u64>> = (0..columns[0].len()).map(corner).collect();
+            // Two places may be one in whole numbers of a step.
+            assert!(
+                different.len() * 100 > columns[0].len() * 99,
+                "{} of {}",
+                different.len(),
+                columns[0].len()
+            );
         }
     }
 }

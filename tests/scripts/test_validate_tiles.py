@@ -37,6 +37,11 @@ def test_a_correct_tileset_has_no_fault(site, tmp_path):
     assert faults_of_tile(site, tmp_path) == []
 
 
+def test_what_all_rows_share_may_be_the_default_of_its_property(site, tmp_path):
+    describe("level", type="STRING", default="ground")(site)
+    assert faults_of_tile(site, tmp_path) == []
+
+
 # --- the tree ---
 
 
@@ -184,6 +189,11 @@ def of_table(**values):
     return lambda site: site.tile.table.update(values)
 
 
+def describe(name: str, **about):
+    """A property of the schema that has no column."""
+    return lambda site: site.tile.described.update({name: about})
+
+
 def of_node(features_of_node: dict):
     return lambda site: site.tile.document["nodes"][2]["extensions"].update(EXT_instance_features=features_of_node)
 
@@ -210,6 +220,8 @@ def of_node(features_of_node: dict):
      "features : propertyTables[0]: id: row 0 is no text in UTF-8"),
     (lambda site: site.tile.table["properties"]["id"].pop("stringOffsets"), "features : propertyTables[0]: id: a column of texts has no"),
     (lambda site: site.tile.table["properties"].pop("id"), "features : propertyTables[0]: the property 'id' is missing"),
+    (describe("level", type="STRING"), "features : propertyTables[0]: the property 'level' has neither a column nor a text as `default`"),
+    (describe("level", type="STRING", default=1), "features : propertyTables[0]: the property 'level' has neither a column nor a text"),
     (lambda site: site.tile.table["properties"].update(name=site.tile.table["properties"]["id"]),
      "features : propertyTables[0]: its class has no property 'name'"),
     (of_table(count=4), "features : propertyTables[0]: room: `stringOffsets` has 16 bytes, not those of 5 numbers"),

@@ -91,6 +91,11 @@ class Tile(Floor):
     def table(self) -> dict:
         return self.document["extensions"]["EXT_structural_metadata"]["propertyTables"][0]
 
+    @property
+    def described(self) -> dict:
+        """The properties of the class of the table."""
+        return self.document["extensions"]["EXT_structural_metadata"]["schema"]["classes"]["piece"]["properties"]
+
     def numbers(self, values: list[float]) -> int:
         """An accessor of numbers of features."""
         index = self.accessor(np.array(values, "<f4"), "SCALAR")

@@ -93,6 +93,10 @@ def check_table(gltf: GltfFile, schema: dict, table: dict) -> Iterator[str]:
         return
     columns = table.get("properties", {})
     yield from key_faults(described, columns)
+    for key in sorted(described.keys() - columns.keys()):
+        # What all rows share is said once, in the schema.
+        if not described[key].get("required") and not isinstance(described[key].get("default"), str):
+            yield f"the property {shown(key)} has neither a column nor a text as `default`"
     for key, column in columns.items():
         try:
             yield from (f"{key}: {message}" for message in check_column(gltf, column, table["count"]))

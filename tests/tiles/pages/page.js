@@ -25,12 +25,14 @@ export const USUAL_ERROR = 16;
 /** Milliseconds for which nothing may be on its way before a view counts as loaded: clients put off what is at the rim of a view. */
 const QUIET = 500;
 const LONGEST = 240_000;
+/** Frames that a view gets however long each takes: CesiumJS asks for nothing in the first two after the camera has moved. */
+const LEAST_FRAMES = 4;
 
 /** Draws frames until `isIdle` has been true for a while. */
 export async function settle(draw, isIdle) {
   const started = performance.now();
   let quietSince = started;
-  while (performance.now() - quietSince < QUIET) {
+  for (let frames = 0; frames < LEAST_FRAMES || performance.now() - quietSince < QUIET; frames += 1) {
     draw();
     await new Promise((resolve) => setTimeout(resolve, 10));
     if (!isIdle()) quietSince = performance.now();
