@@ -5,18 +5,21 @@
 //! in one draw call whichever meshes they are of. So the meshes and colours that save the most bytes a call become instances, as long
 //! as the calls suffice; each choice changes what the others save, which is therefore looked at again after each.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::sync::Arc;
 
 use super::Shown;
-use super::coarse::Seen;
+use super::coarse::{Cuboid, Seen};
 use super::cuboids::{Look, looks, part_looks, standing};
 use super::listing::Drawn;
 use super::merged::{Surface, ordered_surfaces};
 use super::options::{CompactOptions, Instancing};
+use crate::mesh::Primitive;
 
-/// About as many bytes as a corner takes with its attributes and its share of the indices.
-const BYTES_OF_CORNER: usize = 24;
+/// About as many bytes as a corner takes with its attributes.
+const BYTES_OF_CORNER: usize = 20;
+/// Bytes of most indices.
+const BYTES_OF_INDEX: usize = 2;
 /// Bytes that one instance takes.
 const BYTES_OF_INSTANCE: usize = 22;
 /// Bytes that a box takes as an instance: most have no rotation.
@@ -49,15 +52,14 @@ pub(super) fn choose(shown: &Shown<'_>, drawn: &[Drawn], options: &CompactOption
     let candidates = twin_counts.into_iter().filter_map(|(mesh, count)| {
         let mut candidate = Candidate::new(shown, mesh, count)?;
         candidate.boxes.iter_mut().for_each(|(look, _)| *look = standing[look]);
-        Some(candidate)
+        Some((mesh, candidate))
     });
     let mut choosing = Choosing { candidates: candidates.collect(), ..Choosing::default() };
     choosing.fill(&mut left);
     choosing.improve(left);
     let Choosing { taken, looks, .. } = choosing;
-    let meshes: BTreeSet<usize> = taken.into_iter().map(|candidate| candidate.mesh).collect();
     Grouping {
-        meshes: twins.into_iter().filter(|(_, first)| meshes.contains(first)).collect(),
+        meshes: twins.into_iter().filter(|(_, first)| taken.contains_key(first)).collect(),
         looks: standing.into_iter().filter(|(_, leader)| looks.contains(leader)).collect(),
     }
 }
@@ -91,21 +93,21 @@ fn twins(
     counts.keys().map(twin).collect()
 }
 
-/// A mesh that is not yet instances.
+/// A mesh that may become instances.
 struct Candidate {
-    mesh: usize,
     /// How often it is drawn.
     count: usize,
     draws: usize,
-    /// Corners but for those of boxes.
-    corners: usize,
-    /// Boxes with their numbers of corners.
+    /// Bytes of it but for its boxes.
+    bytes: usize,
+    /// Boxes with the bytes of each.
     boxes: Vec<(Look, usize)>,
 }
 
-#[derive(Clone, Copy)]
+/// Something that becomes instances.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Choice {
-    /// Index into the candidates.
+    /// Index into the meshes of the scene.
     Mesh(usize),
     Look(Look),
 }
@@ -113,36 +115,57 @@ enum Choice {
 impl Candidate {
     fn new(shown: &Shown<'_>, mesh: usize, count: usize) -> Option<Self> {
         let Seen { model, cuboids } = shown.models[mesh].as_ref()?;
-        let ends = cuboids.iter().enumerate().map(|(index, cuboid)| {
-            let next = cuboids.get(index + 1).filter(|next| next.primitive == cuboid.primitive);
-            next.map_or(model.primitives[cuboid.primitive].positions.len(), |next| next.first)
-        });
-        let sizes: Vec<usize> = cuboids.iter().zip(ends).map(|(cuboid, end)| end - cuboid.first).collect();
-        let all: usize = model.primitives.iter().map(|part| part.positions.len()).sum();
-        let corners = all - sizes.iter().sum::<usize>();
+        let of_boxes = |(number, primitive): (usize, &Primitive)| {
+            let ends = cuboids.iter().filter(|cuboid| cuboid.primitive == number).map(|cuboid| cuboid.first);
+            let ends: Vec<usize> = ends.chain([primitive.positions.len()]).collect();
+            ends.windows(2).map(|ends| bytes_of_faces(ends[1] - ends[0])).collect::<Vec<_>>()
+        };
+        let sizes: Vec<usize> = model.primitives.iter().enumerate().flat_map(of_boxes).collect();
+        let others = model.primitives.iter().enumerate();
+        let bytes = others.map(|(number, primitive)| bytes_without_boxes(primitive, number, cuboids)).sum();
         let boxes = looks(shown, mesh).into_iter().zip(sizes).collect();
-        Some(Self { mesh, count, draws: ordered_surfaces(shown, mesh).len().max(1), corners, boxes })
+        Some(Self { count, draws: ordered_surfaces(shown, mesh).len().max(1), bytes, boxes })
     }
 
     /// Bytes by which instances are shorter than merged copies, if they are.
     fn saved_bytes(&self, chosen: &BTreeSet<Look>) -> Option<usize> {
-        let as_box = |(look, corners): &(Look, usize)| {
-            if chosen.contains(look) { BYTES_OF_CUBE } else { corners * BYTES_OF_CORNER }
-        };
-        let copy = self.corners * BYTES_OF_CORNER + self.boxes.iter().map(as_box).sum::<usize>();
-        let corners = self.corners + self.boxes.iter().map(|(_, corners)| corners).sum::<usize>();
-        let instances = corners * BYTES_OF_CORNER + self.count * BYTES_OF_INSTANCE;
+        let as_box =
+            |(look, bytes): &(Look, usize)| if chosen.contains(look) { BYTES_OF_CUBE } else { *bytes };
+        let copy = self.bytes + self.boxes.iter().map(as_box).sum::<usize>();
+        let model = self.bytes + self.boxes.iter().map(|(_, bytes)| bytes).sum::<usize>();
+        let instances = model + self.count * BYTES_OF_INSTANCE;
         (self.count * copy).checked_sub(instances).filter(|&saved| saved > 0)
     }
 }
 
-/// A choice under way.
+/// Bytes of rectangles with so many corners.
+fn bytes_of_faces(corners: usize) -> usize {
+    corners * BYTES_OF_CORNER + corners / 4 * 6 * BYTES_OF_INDEX
+}
+
+/// Bytes of a primitive without the boxes at its end. Corners that agree in everything will be one.
+fn bytes_without_boxes(primitive: &Primitive, number: usize, cuboids: &[Cuboid]) -> usize {
+    let first_box = cuboids.iter().find(|cuboid| cuboid.primitive == number).map(|cuboid| cuboid.first);
+    let end = first_box.unwrap_or(primitive.positions.len());
+    let different: HashSet<[u32; 8]> = (0..end)
+        .map(|corner| {
+            let [x, y, z] = primitive.positions[corner].map(f32::to_bits);
+            let [i, j, k] = primitive.normals[corner].map(f32::to_bits);
+            let [u, v] = primitive.texture_coordinates.get(corner).copied().unwrap_or_default();
+            [x, y, z, i, j, k, u.to_bits(), v.to_bits()]
+        })
+        .collect();
+    let indices = primitive.indices.iter().filter(|&&index| (index as usize) < end).count();
+    different.len() * BYTES_OF_CORNER + indices * BYTES_OF_INDEX
+}
+
+/// A choice under way. Meshes are in the order of the scene.
 #[derive(Default)]
 struct Choosing {
     /// Meshes that are not chosen.
-    candidates: Vec<Candidate>,
+    candidates: BTreeMap<usize, Candidate>,
     /// Those that are.
-    taken: Vec<Candidate>,
+    taken: BTreeMap<usize, Candidate>,
     /// Looks that stand for others.
     looks: BTreeSet<Look>,
 }
@@ -156,20 +179,16 @@ impl Choosing {
         }
     }
 
-    /// Takes meshes back that save less than something else, since their boxes are instances anyway.
+    /// Takes back what saves less than something else, now that all is chosen: the boxes of a mesh may be instances anyway, and those of
+    /// a look may be of meshes that are instances themselves.
     fn improve(&mut self, mut left: usize) {
-        for _ in 0..self.taken.len() {
-            let saved = |taken: &Candidate| taken.saved_bytes(&self.looks).unwrap_or(0) / taken.draws;
-            let least = (0..self.taken.len()).min_by_key(|&index| saved(&self.taken[index]));
-            let Some(least) = least else { return };
-            let back = self.taken.remove(least);
-            let mesh = back.mesh;
-            left += back.draws;
-            self.candidates.push(back);
-            self.candidates.sort_by_key(|candidate| candidate.mesh);
+        let mut kept = BTreeSet::new();
+        for _ in 0..self.taken.len() + self.looks.len() {
+            let Some(least) = self.least(&kept) else { return };
+            left += self.take_back(least);
             self.fill(&mut left);
-            if self.taken.iter().any(|candidate| candidate.mesh == mesh) {
-                return;
+            if self.has(least) {
+                kept.insert(least);
             }
         }
     }
@@ -183,26 +202,66 @@ impl Choosing {
                 most = Some((saved / draws, draws, choice));
             }
         };
-        let mut looks: BTreeMap<Look, usize> = BTreeMap::new();
-        for (index, candidate) in self.candidates.iter().enumerate() {
+        for (&mesh, candidate) in &self.candidates {
             if let Some(saved) = candidate.saved_bytes(&self.looks) {
-                look_at(saved, candidate.draws, Choice::Mesh(index));
-            }
-            for (look, corners) in candidate.boxes.iter().filter(|(look, _)| !self.looks.contains(look)) {
-                let saved = (corners * BYTES_OF_CORNER).saturating_sub(BYTES_OF_CUBE);
-                *looks.entry(*look).or_default() += candidate.count * saved;
+                look_at(saved, candidate.draws, Choice::Mesh(mesh));
             }
         }
+        let looks = self.saved_by_looks(|look| !self.looks.contains(look));
         looks.into_iter().for_each(|(look, saved)| look_at(saved, 1, Choice::Look(look)));
         most.map(|(_, draws, choice)| (draws, choice))
     }
 
+    /// What is chosen and saves the fewest bytes a draw call, but for some.
+    fn least(&self, but_for: &BTreeSet<Choice>) -> Option<Choice> {
+        let meshes = self.taken.iter().map(|(&mesh, candidate)| {
+            (candidate.saved_bytes(&self.looks).unwrap_or(0) / candidate.draws, Choice::Mesh(mesh))
+        });
+        let saved = self.saved_by_looks(|look| self.looks.contains(look));
+        let looks =
+            self.looks.iter().map(|look| (saved.get(look).copied().unwrap_or(0), Choice::Look(*look)));
+        let movable = meshes.chain(looks).filter(|(_, choice)| !but_for.contains(choice));
+        movable.min().map(|(_, choice)| choice)
+    }
+
+    /// The bytes that some looks save, as the meshes are chosen.
+    fn saved_by_looks(&self, is_asked: impl Fn(&Look) -> bool) -> BTreeMap<Look, usize> {
+        let mut found: BTreeMap<Look, usize> = BTreeMap::new();
+        for candidate in self.candidates.values() {
+            for (look, bytes) in candidate.boxes.iter().filter(|(look, _)| is_asked(look)) {
+                let saved = bytes.saturating_sub(BYTES_OF_CUBE);
+                *found.entry(*look).or_default() += candidate.count * saved;
+            }
+        }
+        found
+    }
+
+    fn has(&self, choice: Choice) -> bool {
+        match choice {
+            Choice::Mesh(mesh) => self.taken.contains_key(&mesh),
+            Choice::Look(look) => self.looks.contains(&look),
+        }
+    }
+
     fn take(&mut self, choice: Choice) {
         match choice {
-            Choice::Mesh(index) => self.taken.push(self.candidates.remove(index)),
+            Choice::Mesh(mesh) => self.taken.extend(self.candidates.remove_entry(&mesh)),
             Choice::Look(look) => {
                 self.looks.insert(look);
             }
+        }
+    }
+
+    /// Gives the calls that are free again.
+    fn take_back(&mut self, choice: Choice) -> usize {
+        match choice {
+            Choice::Mesh(mesh) => {
+                let back = self.taken.remove_entry(&mesh);
+                let draws = back.as_ref().map_or(0, |(_, candidate)| candidate.draws);
+                self.candidates.extend(back);
+                draws
+            }
+            Choice::Look(look) => usize::from(self.looks.remove(&look)),
         }
     }
 }

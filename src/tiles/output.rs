@@ -45,7 +45,9 @@ const SHAPES_OF_BOXES: Shapes =
 const LEAST_OF_REDUCED: f64 = 0.1;
 const SHAPES_OF_REDUCED: Shapes =
     Shapes::Coarse(Coarse { least_width: 0.03, boxed: 0.4, rounding: 0.03, sheet: 0.0, has_trim: true });
-/// Draw calls of a level up to which equal models are instances; seven reduced levels of a tower are in view before its façade.
+/// Draw calls of a level up to which equal models and boxes are instances; thirteen levels of a tower are in view as boxes before its
+/// façade, seven reduced ones from nearer.
+const DRAWS_OF_BOXES: usize = 10;
 const DRAWS_OF_REDUCED: usize = 42;
 const DRAWS_OF_FULL: usize = 300;
 /// Metres of the coarsest steps of positions; levels of 65 m have steps of a millimetre.
@@ -88,7 +90,7 @@ impl Output for TilesOutput {
             least_size: LEAST_OF_BOXES,
             shapes: SHAPES_OF_BOXES,
             coarsest_step: STEP_OF_BOXES,
-            instancing: Instancing::None,
+            most_draws: DRAWS_OF_BOXES,
             ..of_reduced
         };
         let written = [

@@ -14,7 +14,7 @@ import { chromium, reasonToSkip, write } from './program.mjs';
 import { serve } from './serve.mjs';
 
 const PLAN = 'configs/plans/hotel-tower.yaml';
-/** Megabytes from 2 km into a room from a host that does not compress, and of the whole flight from one that does. */
+/** Megabytes from 2 km into a room and a corridor, from a host that does not compress. */
 const MOST_LOADED = 25;
 /** Draw calls before the façade. */
 const MOST_COMMANDS = 300;
@@ -47,8 +47,7 @@ describe('a flight to a tower', { skip }, () => {
       const row = (stop) => rows.find((one) => one.stop === stop);
       assert.equal(row(`${FARTHEST} m`).requests, 1, 'tiles load from afar');
       assert.ok(row('room').full > 0, 'the room is not there in full');
-      assert.ok(row('room').plain_mb <= MOST_LOADED, `${row('room').plain_mb} MB were sent up to the room`);
-      assert.ok(rows.at(-1).gzip_mb <= MOST_LOADED, `${rows.at(-1).gzip_mb} MB were sent`);
+      assert.ok(rows.at(-1).plain_mb <= MOST_LOADED, `${rows.at(-1).plain_mb} MB were sent`);
       const before = rows.slice(0, rows.findIndex(({ stop }) => stop === 'room'));
       for (const { stop, commands } of before) assert.ok(commands <= MOST_COMMANDS, `${commands} draw calls at ${stop}`);
       assert.equal(rows.at(-1).commands, 0);
