@@ -55,18 +55,24 @@ impl LevelList {
     /// All faults of the file; one if another program has listed the levels.
     pub fn read(path: &Path) -> Result<Self, Faults> {
         let list: Self = Source::read(path)?.parse()?;
-        if list.program == PROGRAM {
-            return Ok(list);
-        }
-        let message = format!("lists levels for the program {}, and this is {PROGRAM}", list.program);
-        let hint = "list the levels with this program: `roomwright bake … --list-levels --json`";
-        Err(Fault::of_file(path, message).with_hint(hint).into())
+        check_program(path, &list.program)?;
+        Ok(list)
     }
 
     /// The inputs of each level.
     pub(crate) fn inputs(&self) -> BTreeMap<LevelKey, &str> {
         self.levels.iter().map(|level| (level.key(), level.inputs.as_str())).collect()
     }
+}
+
+/// Refuses a list that another program has made.
+pub(super) fn check_program(path: &Path, program: &str) -> Result<(), Faults> {
+    if program == PROGRAM {
+        return Ok(());
+    }
+    let message = format!("lists levels for the program {program}, and this is {PROGRAM}");
+    let hint = "list the levels with this program: `roomwright bake … --list-levels --json`";
+    Err(Fault::of_file(path, message).with_hint(hint).into())
 }
 
 /// Levels to bake, by name, in place of a share that is dealt.

@@ -1,7 +1,9 @@
 //! `manifest.json`: every file with its hash, counts and findings; sorted, without times or facts of the machine.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::io::{self, Write};
+use std::fs::{File, Metadata};
+use std::io::{self, Read, Write};
+use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use serde_json::ser::{Formatter, PrettyFormatter};
@@ -9,6 +11,7 @@ use serde_json::value::RawValue;
 
 use super::program::PROGRAM;
 use super::record::{FileRecord, LevelRecord, Totals};
+use crate::disk::{open_plain, read_plain};
 
 /// The file in the output folder.
 pub(crate) const MANIFEST_NAME: &str = "manifest.json";
@@ -118,6 +121,17 @@ pub(crate) fn parse_manifest(text: &[u8]) -> Result<ManifestText<'_>, String> {
     } else {
         Err(format!("manifest version {} is not {MANIFEST_VERSION}", found.manifest))
     }
+}
+
+/// Whether a file is a manifest. What begins as one is not read further: that of a city may be larger than is ever read.
+pub(crate) fn is_manifest_file(path: &Path) -> bool {
+    let begin = format!("{{\n\"manifest\": {MANIFEST_VERSION},\n\"program\": \"");
+    let begins = |(file, _): (File, Metadata)| {
+        let mut head = Vec::new();
+        file.take(begin.len() as u64).read_to_end(&mut head).is_ok() && head == begin.as_bytes()
+    };
+    open_plain(path).is_ok_and(begins)
+        || read_plain(path, LARGEST_RECORDS).is_ok_and(|text| parse_manifest(&text).is_ok())
 }
 
 /// Writes a manifest from records that arrive in order, one at a time, so that a city need not be in memory.

@@ -22,6 +22,7 @@ mod join;
 mod journal;
 mod level;
 mod level_list;
+mod listed_inputs;
 mod listing;
 mod manifest;
 mod options;
@@ -50,6 +51,7 @@ pub(crate) use finished::{FinishedInput, write_finished};
 pub use folder::OutputFolder;
 pub use join::{Joined, MergeReport, merge};
 pub use level_list::{ChosenLevels, LevelList, PlannedLevel};
+pub use listed_inputs::ListedInputs;
 pub(crate) use listing::{Listing, is_bake, list_levels};
 #[cfg(test)]
 pub(crate) use manifest::Manifest;

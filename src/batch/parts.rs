@@ -9,12 +9,12 @@ use std::io::{self, BufWriter};
 use std::path::Path;
 
 use super::fault::{FaultCode, OutputFault};
-use super::level_list::LevelList;
-use super::manifest::{LARGEST_RECORDS, Listed, parse_manifest, write_manifest};
+use super::listed_inputs::ListedInputs;
+use super::manifest::{Listed, is_manifest_file, write_manifest};
 use super::part_file::{Part, PartFile, PartLevel, Span};
 use super::program::PROGRAM;
 use super::record::{FileRecord, LevelKey, Totals};
-use crate::disk::{new_temporary, read_plain};
+use crate::disk::new_temporary;
 use crate::document::{Fault, Faults};
 use crate::output::INDEX_NAME;
 
@@ -43,7 +43,7 @@ pub struct PartsReport {
 /// If the folder holds no part, or the manifest cannot be written.
 pub fn merge_parts(
     folder: &Path,
-    planned: Option<&LevelList>,
+    planned: Option<&ListedInputs>,
     out: &Path,
 ) -> Result<PartsReport, OutputFault> {
     let files = PartFile::all_in(folder)?;
@@ -51,7 +51,7 @@ pub fn merge_parts(
         return Err(nothing_to_join(folder));
     }
     check_target(out)?;
-    let mut gathered = Gathered { expected: planned.map(LevelList::inputs), ..Gathered::default() };
+    let mut gathered = Gathered { expected: planned, ..Gathered::default() };
     gathered.faults.extend(missing_parts(folder, &files));
     for (number, file) in files.iter().enumerate() {
         match file.read() {
@@ -77,7 +77,7 @@ const SAME: &str = "bake all shares with the same plans, options and program int
 #[derive(Default)]
 struct Gathered<'a> {
     /// The inputs of the levels of the plan, where they are known.
-    expected: Option<BTreeMap<LevelKey, &'a str>>,
+    expected: Option<&'a ListedInputs>,
     levels: BTreeMap<LevelKey, Place>,
     library: BTreeMap<String, (FileRecord, usize)>,
     faults: Vec<Fault>,
@@ -124,10 +124,10 @@ impl Gathered<'_> {
         if let Some(other) = program {
             self.contradict(path, format!("has level {name} of another program, {other}"), SAME);
         }
-        let expected = self.expected.as_ref().map(|expected| expected.get(&key).copied());
+        let expected = self.expected.map(|ListedInputs(expected)| expected.get(&key));
         if expected == Some(None) {
             self.contradict(path, format!("has level {name}, which is not in the list of levels"), SAME);
-        } else if expected.flatten().is_some_and(|expected| expected != inputs) {
+        } else if expected.flatten().is_some_and(|expected| **expected != *inputs) {
             self.contradict(path, format!("has level {name} of other inputs than the list of levels"), SAME);
         }
         match self.levels.get(&key) {
@@ -205,25 +205,22 @@ fn missing_parts(folder: &Path, files: &[PartFile]) -> Vec<Fault> {
 /// Levels of the plan that no part has.
 fn missing_levels(
     folder: &Path,
-    planned: Option<&LevelList>,
+    planned: Option<&ListedInputs>,
     found: &BTreeMap<LevelKey, Place>,
 ) -> Vec<Fault> {
-    let planned = planned.iter().flat_map(|list| &list.levels);
-    let missing = planned.filter(|level| !found.contains_key(&level.key()));
-    let fault = |(building, level): (&String, &String)| {
+    let planned = planned.into_iter().flat_map(|ListedInputs(expected)| expected.keys());
+    let missing = planned.filter(|key| !found.contains_key(key));
+    let fault = |LevelKey { building, level }: &LevelKey| {
         let message = format!("no part has level {building}/{level}");
         let hint = "the report of the bake that had it says why; bake its share again";
         Fault::of_file(folder, message).with_hint(hint)
     };
-    missing.map(|level| fault((&level.building, &level.level))).collect()
+    missing.map(fault).collect()
 }
 
 /// Refuses to replace a file that is no manifest.
 fn check_target(out: &Path) -> Result<(), OutputFault> {
-    let Ok(found) = fs::symlink_metadata(out) else { return Ok(()) };
-    let is_ours =
-        found.is_file() && read_plain(out, LARGEST_RECORDS).is_ok_and(|text| parse_manifest(&text).is_ok());
-    if is_ours {
+    if fs::symlink_metadata(out).is_err() || is_manifest_file(out) {
         return Ok(());
     }
     Err(OutputFault {

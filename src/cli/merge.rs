@@ -7,7 +7,7 @@ use super::arguments::MergeArguments;
 use super::bake::{refuse, show_listed};
 use super::exit::Outcome;
 use super::screen::Screen;
-use crate::batch::{LevelList, MANIFEST_NAME, MergeReport, PartsReport, merge, merge_parts};
+use crate::batch::{ListedInputs, MANIFEST_NAME, MergeReport, PartsReport, merge, merge_parts};
 use crate::document::counted;
 
 /// Runs the command.
@@ -50,7 +50,7 @@ fn show(report: &MergeReport, screen: Screen) -> Outcome {
 
 /// Joins parts whose files are elsewhere.
 fn join_parts(records: &Path, arguments: &MergeArguments, screen: Screen) -> Outcome {
-    let planned = match arguments.levels.as_deref().map(LevelList::read).transpose() {
+    let planned = match arguments.levels.as_deref().map(ListedInputs::read).transpose() {
         Ok(planned) => planned,
         Err(faults) => {
             screen.faults(&faults);

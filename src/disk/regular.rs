@@ -19,8 +19,16 @@ pub(crate) fn read_regular(path: &Path, most: u64) -> io::Result<Vec<u8>> {
 /// # Errors
 /// As [`read_regular`].
 pub(crate) fn read_plain(path: &Path, most: u64) -> io::Result<Vec<u8>> {
-    let (file, found) = open_found(path, &fs::symlink_metadata(path)?)?;
+    let (file, found) = open_plain(path)?;
     read_bounded(file, found.len(), most)
+}
+
+/// As [`open_regular`], but a link is an error too.
+///
+/// # Errors
+/// As [`read_regular`].
+pub(crate) fn open_plain(path: &Path) -> io::Result<(File, Metadata)> {
+    open_found(path, &fs::symlink_metadata(path)?)
 }
 
 /// Opens a regular file, or one that a link leads to.
