@@ -1,4 +1,4 @@
-//! Industry Foundation Classes (ISO 16739) as exchange files (ISO 10303-21): IFC2X3, IFC4 and IFC4X3.
+//! Industry Foundation Classes (ISO 16739) as exchange files (ISO 10303-21): IFC2X to IFC2X3, IFC4 and IFC4X3.
 //!
 //! One building for each `IfcBuilding` with storeys or spaces, one level for each storey with spaces, or for each height of the floors of
 //! spaces that are on no storey. Of the file are read:
@@ -70,7 +70,7 @@ pub(crate) const FORMAT: ForeignFormat = ForeignFormat {
     about: ReadFormat {
         name: NAME,
         title: "IFC",
-        input: "an .ifc file of IFC2X3, IFC4 or IFC4X3 in the STEP encoding",
+        input: "an .ifc file of IFC2X to IFC2X3, IFC4 or IFC4X3 in the STEP encoding",
         content: "spaces, with curved faces or without a body too; doors and how they open, windows, panes of curtain walls, columns; no roof windows",
     },
     recognises,
@@ -82,8 +82,9 @@ pub(crate) const FORMAT: ForeignFormat = ForeignFormat {
 const BEGINNING: &str = "ISO-10303-21";
 /// Bytes at the start of a file by which it is recognised.
 const HEAD_SIZE: u64 = 4096;
-/// The beginnings of the schemas that are read.
-const SCHEMAS: [&str; 2] = ["IFC2X3", "IFC4"];
+/// The beginnings of the schemas that are read. `IFC2X_FINAL` and `IFC2X2_FINAL` of 2000 to 2006 have what is read here in the
+/// same places as IFC2X3.
+const SCHEMAS: [&str; 2] = ["IFC2X", "IFC4"];
 
 /// Whether a file is of this format: by its ending, or an exchange file of an IFC schema.
 fn recognises(path: &Path) -> bool {

@@ -340,6 +340,19 @@ fn angles_and_trapeziums_are_floors_of_their_shape() {
 }
 
 #[test]
+fn files_of_the_first_schemas_are_read_like_later_ones() {
+    let drafts = |schema: &str| {
+        let (buildings, _) = villa("'IFC4'", schema);
+        buildings.iter().map(|building| format!("{:?}", building.draft)).collect::<Vec<_>>()
+    };
+    let before = drafts("'IFC4'");
+    assert!(!before.is_empty());
+    for schema in ["'IFC2X_FINAL'", "'IFC2X2_FINAL'"] {
+        assert_eq!(drafts(schema), before, "{schema}");
+    }
+}
+
+#[test]
 fn old_encodings_are_read_and_cut_files_too() {
     let text = std::fs::read_to_string(VILLA).unwrap();
     let latin: Vec<u8> =
