@@ -82,11 +82,19 @@ pub(super) fn most_telling<'a>(types: impl Iterator<Item = &'a str>) -> Option<&
     types.iter().find(|kind| **kind != GENERIC_ROOM_TYPE).or(types.first()).copied()
 }
 
-/// The words of a text in lower case, without numbers: "Bedroom 2.04" is a bedroom.
+/// The words of a text in lower case, without numbers: "Bedroom 2.04" and "Bedroom2" are bedrooms.
 pub(super) fn plain_words(text: &str) -> Vec<String> {
-    let words = text.split(|letter: char| !letter.is_alphanumeric());
-    let words = words.filter(|word| !word.is_empty() && !word.chars().any(char::is_numeric));
+    let words = text.split(|letter: char| !letter.is_alphanumeric()).filter_map(without_number);
     words.map(str::to_lowercase).collect()
+}
+
+/// A word without the number at its end; nothing of numbers, and of codes such as `A102` or `3B`.
+fn without_number(word: &str) -> Option<&str> {
+    let letters = word.trim_end_matches(char::is_numeric);
+    let is_word = !letters.is_empty() && !letters.chars().any(char::is_numeric);
+    // One letter before a number is a wing or a floor; in scripts without spaces it is a word.
+    let is_code = letters.len() < word.len() && letters.len() == 1;
+    (is_word && !is_code).then_some(letters)
 }
 
 #[cfg(test)]
@@ -100,6 +108,8 @@ mod tests {
         assert_eq!(plain_words("A-102 Living Room"), ["a", "living", "room"]);
         assert_eq!(plain_words("WC/Dusche 1.04"), ["wc", "dusche"]);
         assert!(plain_words("2.14").is_empty());
+        assert_eq!(plain_words("Bedroom2 Du/WC1 卧室1"), ["bedroom", "du", "wc", "卧室"]);
+        assert!(plain_words("A102 3B 1OG").is_empty(), "codes of rooms and floors");
     }
 
     #[test]
@@ -133,6 +143,37 @@ mod tests {
         unknown.of_names(&[None, Some("Zorp 1"), Some("Quux")], || ());
         let told: Vec<String> = unknown.unknown().map(|(_, fact, _)| fact).collect();
         assert!(told.len() == 1 && told[0].contains("zorp"), "{told:?}");
+    }
+
+    #[test]
+    fn names_of_homes_and_offices_are_known_in_many_languages() {
+        let table = load_catalog(&[]).expect("the built-in catalogue is sound").value.room_words;
+        let cases = [
+            ("Прихожая", "corridor"),
+            ("С/У", "bathroom"),
+            ("Комната переговоров 3", "meeting_room"),
+            ("主卧室", "bedroom"),
+            ("会议室2", "meeting_room"),
+            ("キッチン", "kitchen"),
+            ("화장실", "bathroom"),
+            ("Obývací pokoj", "living_room"),
+            ("Fürdőszoba", "bathroom"),
+            ("Makuuhuone 1", "bedroom"),
+            ("YEMEK ODASI", "dining_room"),
+            ("Sandėliukas", "storeroom"),
+            ("Κουζίνα", "kitchen"),
+            ("Spavaća soba", "bedroom"),
+            ("חדר שינה", "bedroom"),
+            ("Phòng khách", "living_room"),
+            ("Bad/WC", "bathroom"),
+            ("Mens RR", "restroom_male"),
+            ("Conf Rm 12", "meeting_room"),
+            ("MECH", "utility_room"),
+            ("Living space", "living_room"),
+        ];
+        for (name, kind) in cases {
+            assert_eq!(type_of_words(&table, &["ifc"], &plain_words(name)), Some(kind), "{name}");
+        }
     }
 
     #[test]
