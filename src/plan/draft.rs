@@ -46,6 +46,9 @@ pub struct BuildingDraft {
     pub name: Option<String>,
     /// The text by which the source of the plan asks to be named, if it does.
     pub attribution: Option<String>,
+    /// The family of buildings (`families` in `room_words.yaml`) by which rooms without a known word are guessed where no word and no
+    /// fixture of the building tells another: `home` for a program that draws homes.
+    pub usual_family: Option<&'static str>,
     /// The storeys, lowest first as far as the plan says: nothing sorts them, and guesses take the neighbours in the list for the
     /// storeys below and above. A building without any is left out, without a message; one that loses all is left out as well.
     pub levels: Vec<LevelDraft>,

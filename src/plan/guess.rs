@@ -62,8 +62,8 @@ impl GuessRule {
     }
 }
 
-/// The family to which most rooms belong whose words are known or whose fixtures tell what they are; of equals the first
-/// by name.
+/// The family to which most rooms belong whose words are known or whose fixtures tell what they are, of equals the first
+/// by name; without such rooms the usual one of the format.
 fn family_of<'a>(draft: &BuildingDraft, words: &'a RoomWords) -> Option<&'a str> {
     let told_by = |room: &RoomDraft| {
         let mut rules = words.guesses.iter().filter(|rule| rule.building.is_empty());
@@ -80,7 +80,10 @@ fn family_of<'a>(draft: &BuildingDraft, words: &'a RoomWords) -> Option<&'a str>
     let count = |types: &BTreeSet<String>| known.iter().filter(|kind| types.contains(**kind)).count();
     let counts = words.families.iter().map(|(family, types)| (family.as_str(), count(types)));
     let most = counts.reduce(|best, next| if next.1 > best.1 { next } else { best })?;
-    (most.1 > 0).then_some(most.0)
+    if most.1 > 0 {
+        return Some(most.0);
+    }
+    words.families.keys().map(String::as_str).find(|family| draft.usual_family == Some(*family))
 }
 
 /// By what the rooms of a building are guessed.

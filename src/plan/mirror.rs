@@ -9,6 +9,7 @@ pub(crate) fn mirror_building(draft: &BuildingDraft) -> BuildingDraft {
     BuildingDraft {
         name: draft.name.clone(),
         attribution: draft.attribution.clone(),
+        usual_family: draft.usual_family,
         levels: draft.levels.iter().map(mirror_level).collect(),
     }
 }

@@ -143,6 +143,8 @@ fn the_kind_of_a_building_is_that_of_most_known_rooms() {
     assert_eq!(family_of(&building(&rooms), &words()), Some("school"));
     rooms.iter_mut().for_each(|room| room.unknown_word = Some("Zxq".to_owned()));
     assert_eq!(family_of(&building(&rooms), &words()), None);
+    let usual = BuildingDraft { usual_family: Some("home"), ..building(&rooms) };
+    assert_eq!(family_of(&usual, &words()), Some("home"), "nothing says otherwise");
     rooms[0].fixtures = ["kitchen".to_owned()].into();
     assert_eq!(family_of(&building(&rooms), &words()), Some("home"), "a kitchen is drawn");
 }

@@ -35,8 +35,11 @@ pub(super) fn expand_building(
     left_out: &BTreeSet<Vec<PathStep>>,
     report: &mut Report<'_>,
 ) -> Expanded {
-    let draft =
-        BuildingDraft { name: file.name.clone(), attribution: file.attribution.clone(), levels: Vec::new() };
+    let draft = BuildingDraft {
+        name: file.name.clone(),
+        attribution: file.attribution.clone(),
+        ..BuildingDraft::default()
+    };
     let mut expansion = Expansion {
         file,
         left_out,

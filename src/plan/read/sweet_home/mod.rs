@@ -102,7 +102,8 @@ fn read(path: &Path, options: &PlanOptions<'_>) -> ReadResult {
         let hint = "draw walls that enclose rooms, or rooms";
         faults.push(Fault::of_file(path, "the home has neither rooms nor walls").with_hint(hint));
     }
-    let draft = BuildingDraft { name: title(&home), levels, ..BuildingDraft::default() };
+    let usual_family = Some("home");
+    let draft = BuildingDraft { name: title(&home), levels, usual_family, ..BuildingDraft::default() };
     ReadBuildings::new(
         vec![DraftedBuilding { id: id(path), draft, is_settled: true, ..DraftedBuilding::default() }],
         faults,

@@ -49,9 +49,9 @@ pub(super) fn building(
     let building = DraftedBuilding {
         id: id.to_owned(),
         draft: BuildingDraft {
-            name: None,
             attribution: Some(ATTRIBUTION.to_owned()),
             levels: levels.map(Into::into).collect(),
+            ..BuildingDraft::default()
         },
         is_settled: true,
         ..DraftedBuilding::default()

@@ -105,7 +105,12 @@ impl Translation<'_> {
         let name = house.outline.and_then(|outline| outline.tag("name")).map(str::to_owned);
         DraftedBuilding {
             id: house.id.clone(),
-            draft: BuildingDraft { name, attribution: Some(ATTRIBUTION.to_owned()), levels },
+            draft: BuildingDraft {
+                name,
+                attribution: Some(ATTRIBUTION.to_owned()),
+                levels,
+                ..BuildingDraft::default()
+            },
             placement: SitePlacement { position: house.position, turn: 0.0 },
             is_settled: true,
         }
