@@ -152,8 +152,9 @@ impl Storey<'_> {
         }
         let rooms = enclosed_rooms(bodies);
         if rooms.is_empty() {
+            // A roof of walls, or a fence: the other levels are as sound as they were.
             let message = format!("level \"{name}\" has walls that enclose no room, and no room is drawn");
-            notes.error(place, message, "join the ends of the walls, or draw the rooms");
+            notes.warn(place, message, "it is left out; join the ends of the walls, or draw the rooms");
         } else {
             let count = rooms.len();
             let message =

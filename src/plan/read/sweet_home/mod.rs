@@ -100,7 +100,9 @@ fn read(path: &Path, options: &PlanOptions<'_>) -> ReadResult {
     let mut faults = notes.finish();
     if levels.is_empty() && !faults.has_errors() {
         let hint = "draw walls that enclose rooms, or rooms";
-        faults.push(Fault::of_file(path, "the home has neither rooms nor walls").with_hint(hint));
+        faults.push(
+            Fault::of_file(path, "the home has neither rooms nor walls that enclose one").with_hint(hint),
+        );
     }
     let usual_family = Some("home");
     let draft = BuildingDraft { name: title(&home), levels, usual_family, ..BuildingDraft::default() };

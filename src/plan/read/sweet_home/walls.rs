@@ -80,7 +80,7 @@ pub(super) fn bodies(walls: &[&HomeWall], height: f64, notes: &mut Notes) -> Vec
         let own = wall.height.unwrap_or(height);
         let far = wall.height_at_end.unwrap_or(own);
         Body {
-            outline: outline(axis, wall.thickness, [first, last]),
+            outline: mitred(axis, wall.thickness, [first, last]),
             axis: axis.clone(),
             thickness: wall.thickness,
             heights: [own.min(far), own.max(far)],
@@ -128,6 +128,20 @@ fn departing(axis: &[Point], at_end: bool) -> Point {
 
 /// The direction and the thickness of the wall that goes on from an end.
 type Neighbour = Option<(Point, f64)>;
+
+/// The outline of a wall with mitres at the ends where it meets others. A wall shorter than its mitres, such as the end of a pier, has
+/// square ends: its faces would cross.
+fn mitred(axis: &[Point], thickness: f64, neighbours: [Neighbour; 2]) -> Vec<Point> {
+    let count = axis.len();
+    let ring = outline(axis, thickness, neighbours);
+    let runs_on = |face: &[Point], number: usize| {
+        (face[number + 1] - face[number]).dot(axis[number + 1] - axis[number]) > 0.0
+    };
+    let right: Vec<Point> = ring[count..].iter().rev().copied().collect();
+    let faces = [&ring[..count], &right[..]];
+    let is_sound = faces.iter().all(|face| (0..count - 1).all(|number| runs_on(face, number)));
+    if is_sound { ring } else { outline(axis, thickness, [None, None]) }
+}
 
 /// Both faces of a wall as one ring: the left one from start to end, the right one back.
 fn outline(axis: &[Point], thickness: f64, [first, last]: [Neighbour; 2]) -> Vec<Point> {
