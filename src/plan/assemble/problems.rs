@@ -52,6 +52,12 @@ pub(super) fn bad_outline(room: usize, id: &str, fault: &RingFault) -> Problem {
     }
 }
 
+/// An outline that crosses itself in a small part, of which the rest is taken.
+pub(super) fn mended_outline(room: usize, id: &str, fault: &RingFault) -> Problem {
+    let hint = "the largest part was kept; list the corners in order around the room";
+    Problem::warning(Subject::Room(room), format!("room \"{id}\": {fault}"), Some(hint))
+}
+
 /// The change to a hole.
 pub(super) fn hole(room: usize, id: &str, fault: &HoleFault) -> Problem {
     match fault {

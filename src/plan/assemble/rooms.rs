@@ -7,9 +7,9 @@ use super::free::FreeNumbers;
 use super::overlaps::{cut_enclosed, report_overlaps};
 use super::walls::bare_walls;
 use super::{Assembly, SLAB_THICKNESS, problems};
-use crate::geometry::Region;
+use crate::geometry::{Point, PolygonFault, Region};
 use crate::plan::clean::{
-    Ring, RingFault, SLIVER_AREA, clean_region, clean_ring, refuse_sliver, separate_holes,
+    Ring, RingFault, SLIVER_AREA, clean_region, clean_ring, refuse_sliver, separate_holes, untangled,
 };
 use crate::plan::inset::{CenterRoom, inset_rooms};
 use crate::plan::limits::{LEVEL_ROOMS, STOREY_HEIGHT};
@@ -64,21 +64,36 @@ fn sound_borders(assembly: &mut Assembly<'_>, number: usize) -> Option<CenterRoo
     let room = &assembly.draft.rooms[number];
     let ring =
         clean_ring(&room.outline, &edge_labels(room)).and_then(|ring| refuse_sliver(ring, SLIVER_AREA));
-    let ring = match ring {
-        Ok(ring) => ring,
+    let (ring, loops) = match ring {
+        Ok(ring) => (ring, Vec::new()),
         Err(fault) => {
+            let mended = mended(room, &fault);
             assembly.excess_count += usize::from(matches!(fault, RingFault::TooFar(..)));
-            assembly.problems.push(problems::bad_outline(number, &room.id, &fault));
-            return None;
+            assembly.problems.push(match mended {
+                Some(_) => problems::mended_outline(number, &room.id, &fault),
+                None => problems::bad_outline(number, &room.id, &fault),
+            });
+            mended?
         }
     };
     if refuse_excess(assembly, number, &ring.polygon) {
         return None;
     }
+    if !loops.is_empty() {
+        // What becomes of the loops is part of the mending, and has no place in the plan.
+        let cleaned = clean_region(ring, &[loops, room.holes.clone()].concat());
+        return Some(CenterRoom { ring: cleaned.ring, holes: cleaned.holes });
+    }
     let cleaned = clean_region(ring, &room.holes);
     let faults = cleaned.faults.iter().map(|fault| problems::hole(number, &room.id, fault));
     assembly.problems.extend(faults);
     Some(CenterRoom { ring: cleaned.ring, holes: cleaned.holes })
+}
+
+/// The ring and the loops of an outline that crosses itself a little. One whose edges have tags is not mended: they would get lost.
+fn mended(room: &RoomDraft, fault: &RingFault) -> Option<(Ring, Vec<Vec<Point>>)> {
+    let is_crossing = matches!(fault, RingFault::Polygon(PolygonFault::SelfCrossing(..)));
+    if is_crossing && room.edge_tags.is_empty() { untangled(&room.outline) } else { None }
 }
 
 /// Edges with the same tags have the same label, edges without tags have label 0.

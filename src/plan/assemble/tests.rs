@@ -22,6 +22,29 @@ fn a_door_joins_the_rooms_on_both_sides_of_its_wall() {
 }
 
 #[test]
+fn an_outline_with_a_small_loop_is_a_room_and_a_bow_tie_is_none() {
+    // Around a duct at the first corner, and then around the room.
+    let duct = [(0.0, 0.0), (-0.3, 0.5), (0.0, 0.8), (0.3, 0.5)];
+    let mut looped = duct.to_vec();
+    looped.extend([(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (-1.0, 3.0), (-1.0, 0.0)]);
+    // A loop in the upper edge.
+    let crossed = [(6.0, 0.0), (10.0, 0.0), (10.0, 3.0), (8.0, 3.0), (8.3, 3.3), (8.3, 2.7), (6.0, 3.0)];
+    let bow = [(20.0, 0.0), (24.0, 3.0), (24.0, 0.0), (20.0, 3.0)];
+    let rooms = [("looped", &looped[..]), ("crossed", &crossed[..]), ("bow", &bow[..])];
+    let rooms = rooms
+        .map(|(id, outline)| RoomDraft { outline: points(outline), ..rectangle(id, (0.0, 0.0), (1.0, 1.0)) });
+    let (level, problems) = assemble_level(level(rooms.to_vec(), Vec::new()));
+    check_guarantees(&level);
+    let areas: Vec<f64> = level.rooms.iter().map(|room| room.region.area()).collect();
+    assert_eq!(areas.len(), 2, "{problems:?}");
+    // With or without the duct of 0.24 m².
+    assert!((areas[0] - 14.88).abs() < 0.13, "{areas:?}");
+    assert!((areas[1] - 11.655).abs() < 0.01, "{areas:?}");
+    let is_error: Vec<bool> = problems.iter().map(|problem| problem.is_error).collect();
+    assert_eq!(is_error, [false, false, true], "{problems:?}");
+}
+
+#[test]
 fn outer_walls_have_the_outer_thickness_and_every_room_its_tags() {
     let window = opening("w", OpeningKind::Window, at(2.0, 0.0, (1.0, 0.0)), 1.2);
     let door = opening("d", OpeningKind::Door, at(4.1, 1.0, (0.0, 1.0)), 0.9);
