@@ -143,7 +143,7 @@ pub(super) fn cut_to_pieces(number: usize, id: &str, count: usize) -> Problem {
 /// An opening that begins above the ceiling.
 pub(super) fn above_ceiling(number: usize, opening: &Opening) -> Problem {
     let fact = format!(
-        "opening \"{}\" begins at {} m, its room ends at {} m",
+        "opening \"{}\" begins at {:.2} m, its room ends at {:.2} m",
         opening.id, opening.bottom, opening.top
     );
     Problem::error(Subject::Opening(number), fact, Some("lower its sill or raise the room"))

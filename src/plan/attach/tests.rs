@@ -143,7 +143,7 @@ fn openings_end_at_the_ceiling_and_below_it_or_not_at_all() {
     let (level, problems) = assembled(neighbours(), vec![door, window, upside_down]);
     assert_eq!(level.openings.len(), 1);
     assert!((level.openings[0].top - 2.7).abs() < 1e-9);
-    assert!(problems[0].message.contains("begins at 2.9 m, its room ends at 2.7 m"), "{problems:?}");
+    assert!(problems[0].message.contains("begins at 2.90 m, its room ends at 2.70 m"), "{problems:?}");
     assert!(problems[1].message.contains("reaches from 2 m to 1 m height"), "{problems:?}");
 }
 

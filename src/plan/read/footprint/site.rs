@@ -191,7 +191,7 @@ fn nothing(mut notes: SiteNotes, file: &Path) -> Faults {
     let counts: Vec<String> =
         notes.no_buildings.iter().map(|(reason, count)| format!("{reason} ({count})")).collect();
     let fact = match (notes.drawn, counts.is_empty()) {
-        (0, true) => "holds no building: it is empty".to_owned(),
+        (0, true) => "holds no building".to_owned(),
         (0, false) => format!("holds no building: {}", counts.join(", ")),
         (count, _) => format!("holds no building with a usable outline, of {count}"),
     };

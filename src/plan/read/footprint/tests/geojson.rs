@@ -191,7 +191,7 @@ fn one_bad_feature_costs_no_other() {
 #[test]
 fn files_without_buildings_and_broken_files_are_faults() {
     let cases = [
-        (r#"{"type": "FeatureCollection", "features": []}"#, "holds no building: it is empty"),
+        (r#"{"type": "FeatureCollection", "features": []}"#, "holds no building"),
         (
             r#"{"type": "FeatureCollection", "features": [{"type": "Feature", "geometry": {"type": "Point", "coordinates": [1, 2]}, "properties": {}}]}"#,
             "holds no building: points (1)",
