@@ -218,6 +218,33 @@ fn members_of_groups_are_read_and_hidden_doors_are_not() {
     assert_eq!(faults, ["3 pieces of furniture left out: rooms are furnished anew"]);
 }
 
+#[test]
+fn a_roof_of_walls_and_the_end_of_a_pier_leave_the_rest_alone() {
+    let level = |id: &str, height: i32| {
+        format!("<level id='{id}' name='{id}' elevation='{height}' floorThickness='12' height='250'/>\n")
+    };
+    let wall = |level: &str, [x, y, u, v]: [i32; 4]| {
+        format!("<wall level='{level}' xStart='{x}' yStart='{y}' xEnd='{u}' yEnd='{v}' thickness='20'/>\n")
+    };
+    let pier = [[200, 200, 300, 200], [300, 200, 300, 205], [300, 205, 200, 205]];
+    let corners = [(0, 0), (500, 0), (500, 400), (0, 400)].map(|(x, y)| format!("<point x='{x}' y='{y}'/>"));
+    let xml = format!(
+        "<home version='7000' wallHeight='250'>\n{}{}{}{}<room level='ground'>{}</room>\n</home>\n",
+        level("ground", 0),
+        level("roof", 262),
+        pier.map(|ends| wall("ground", ends)).concat(),
+        wall("roof", [0, 0, 500, 0]),
+        corners.concat()
+    );
+    let (_folder, [plain, _]) = written(&xml);
+    assert!(!try_read(&plain).unwrap().faults.has_errors());
+    let (building, faults) = read(&plain);
+    assert_eq!(building.levels.len(), 1);
+    assert_eq!(building.levels[0].rooms[0].room_type, "room", "a home is usual");
+    assert!(faults.iter().any(|fault| fault.contains("enclose no room")), "{faults:?}");
+    assert!(!faults.iter().any(|fault| fault.contains("crosses itself")), "{faults:?}");
+}
+
 /// How the leaf of a door hangs, in the frame of the piece: on its left or right, turning to its front or back.
 fn hangs(opening: &Opening, angle: f64) -> Vec<(bool, bool)> {
     let (sine, cosine) = libm::sincos(angle);
