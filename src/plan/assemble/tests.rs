@@ -37,8 +37,8 @@ fn an_outline_with_a_small_loop_is_a_room_and_a_bow_tie_is_none() {
     check_guarantees(&level);
     let areas: Vec<f64> = level.rooms.iter().map(|room| room.region.area()).collect();
     assert_eq!(areas.len(), 2, "{problems:?}");
-    // With or without the duct of 0.24 m².
-    assert!((areas[0] - 14.88).abs() < 0.13, "{areas:?}");
+    // Without the duct of 0.24 m², and the slit that opens it to the outside.
+    assert!((areas[0] - 14.75).abs() < 0.01, "{areas:?}");
     assert!((areas[1] - 11.655).abs() < 0.01, "{areas:?}");
     let is_error: Vec<bool> = problems.iter().map(|problem| problem.is_error).collect();
     assert_eq!(is_error, [false, false, true], "{problems:?}");
