@@ -139,7 +139,7 @@ pub mod building {
     pub use crate::geometry::{Bounds, Point, Polygon, Region, Segment};
     pub use crate::plan::{
         Building, Leaf, Level, Obstacle, Opening, OpeningKind, OpeningSide, PlacedBuilding, Plan, Room,
-        RoomOpening, SitePlacement, Wall, WallKind,
+        RoomOpening, Shared, SitePlacement, Wall, WallKind,
     };
 }
 

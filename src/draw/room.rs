@@ -158,7 +158,7 @@ fn alone(level: &Level, room: usize) -> Level {
         name: level.name.clone(),
         elevation: level.elevation,
         height: level.height,
-        rooms: vec![with_thickness(level, room)],
+        rooms: vec![with_thickness(level, room)].into(),
         openings: openings.collect(),
         left_out: Vec::new(),
         digest: level.digest,

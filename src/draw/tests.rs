@@ -270,7 +270,7 @@ fn the_same_level_is_the_same_text() {
 
 #[test]
 fn a_level_without_rooms_can_be_drawn() {
-    let level = Level { rooms: Vec::new(), openings: Vec::new(), ..level() };
+    let level = Level { rooms: Vec::new().into(), openings: Vec::new().into(), ..level() };
     let catalog = catalog();
     let svg = draw_level(&Drawing {
         building: "b",

@@ -69,7 +69,7 @@ fn catalog() -> Catalog {
 /// The rooms of a building's first level with the people of a seed.
 fn rooms(building: &Building, seed: u64, catalog: &Catalog) -> Vec<Room> {
     let building = Arc::new(building.clone());
-    Occupancy::new(&building, "b", &catalog.households, seed).apply(&building).levels[0].rooms.clone()
+    Occupancy::new(&building, "b", &catalog.households, seed).apply(&building).levels[0].rooms.to_vec()
 }
 
 fn types(rooms: &[Room]) -> Vec<&str> {
@@ -198,7 +198,7 @@ fn offices_hotels_and_rooms_by_themselves_are_no_dwellings() {
 #[test]
 fn a_dwelling_keeps_its_people_whatever_is_beside_it() {
     let catalog = catalog();
-    let alone = building(vec![Level { rooms: named_flat(0, "1"), ..level("ground", &[]) }]);
+    let alone = building(vec![Level { rooms: named_flat(0, "1").into(), ..level("ground", &[]) }]);
     let mut both = alone.clone();
     both.levels[0].rooms.splice(0..0, named_flat(20, "2"));
     for seed in 0..20 {

@@ -103,7 +103,7 @@ mod tests {
     fn room(level: &Level, number: u32, room_type: &str, dwelling: Option<&str>) -> Level {
         let dwelling = dwelling.map(str::to_owned);
         let room = Room { number, room_type: room_type.to_owned(), dwelling, ..level.rooms[0].clone() };
-        Level { rooms: vec![room], ..level.clone() }
+        Level { rooms: vec![room].into(), ..level.clone() }
     }
 
     fn style_of<'a>(level: &Level, catalog: &'a Catalog, seed: u64, style: &str) -> &'a str {

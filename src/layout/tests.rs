@@ -139,7 +139,7 @@ pub(super) fn level(corners: &[(f64, f64)]) -> Level {
         sides: vec![OpeningSide { room: 0, wall: 0, from: 0.2, to: 1.1 }],
     };
     let room = Room { openings: vec![RoomOpening { opening: 0, wall: 0, from: 0.2, to: 1.1 }], ..bare };
-    Level { openings: vec![door], ..Level::bare("0", 3.0, vec![room]) }
+    Level { openings: vec![door].into(), ..Level::bare("0", 3.0, vec![room]) }
 }
 
 pub(super) const WIDE: &[(f64, f64)] = &[(0.0, 0.0), (6.0, 0.0), (6.0, 5.0), (0.0, 5.0)];

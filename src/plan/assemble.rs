@@ -11,6 +11,7 @@ use super::digest::level_digest;
 use super::limits::{COORDINATE, LEVEL_OPENINGS, STOREY_HEIGHT, WALL_THICKNESS};
 use super::{LeafDraft, Level, LevelDraft, Opening, OpeningKind, Problem, Room, Subject};
 
+mod alike;
 mod extents;
 mod free;
 mod index;
@@ -27,6 +28,7 @@ mod tags;
 mod tests;
 mod walls;
 
+pub(super) use alike::Storeys;
 use free::OpeningIds;
 pub(super) use index::{BoxIndex, OutlineIndex, WallIndex, WallPlace};
 pub(super) use walls::ray_hit;
@@ -93,13 +95,36 @@ pub fn assemble_level(mut draft: LevelDraft) -> (Level, Vec<Problem>) {
     }
     tags::tag_walls(&mut assembly, &openings);
 
-    let Assembly { rooms, problems, .. } = assembly;
+    let Assembly { mut rooms, problems, .. } = assembly;
+    shrink(&mut rooms, &mut openings);
     let LevelDraft { id, name, elevation, height, .. } = draft;
     let name = if name.is_empty() { id.clone() } else { name };
-    let mut level =
-        Level { id, name, elevation, height, rooms, openings, left_out: Vec::new(), digest: [0; 32] };
+    let mut level = Level {
+        id,
+        name,
+        elevation,
+        height,
+        rooms: rooms.into(),
+        openings: openings.into(),
+        left_out: Vec::new(),
+        digest: [0; 32],
+    };
     level.digest = level_digest(&level);
     (level, problems)
+}
+
+/// Gives back the spare memory of lists that grew: a city has millions of them.
+fn shrink(rooms: &mut [Room], openings: &mut [Opening]) {
+    for room in rooms {
+        room.walls.shrink_to_fit();
+        room.walls.iter_mut().for_each(|wall| wall.tags.shrink_to_fit());
+        room.obstacles.shrink_to_fit();
+        room.openings.shrink_to_fit();
+    }
+    for opening in openings {
+        opening.leaves.shrink_to_fit();
+        opening.sides.shrink_to_fit();
+    }
 }
 
 /// Puts usable numbers in place of those that are none.

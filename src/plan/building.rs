@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use super::shared::Shared;
 use crate::geometry::{Point, Polygon, Region, Segment};
 
 /// All buildings of one run, in the order in which they were named.
@@ -69,9 +70,9 @@ pub struct Level {
     /// Metres from floor to floor.
     pub height: f64,
     /// The rooms; ids are unique in the level.
-    pub rooms: Vec<Room>,
+    pub rooms: Shared<Room>,
     /// Doors, windows, passages and open boundaries; ids are unique in the level.
-    pub openings: Vec<Opening>,
+    pub openings: Shared<Opening>,
     /// Faulty parts of the plan that the level lacks, in words; empty where nothing was left out.
     pub left_out: Vec<String>,
     /// SHA-256 of everything above but `left_out`: equal for equal levels, whatever file they came from.
@@ -164,8 +165,8 @@ impl Level {
             name: id.to_owned(),
             elevation: 0.0,
             height,
-            rooms,
-            openings: Vec::new(),
+            rooms: rooms.into(),
+            openings: Shared::default(),
             left_out: Vec::new(),
             digest: [0; 32],
         }

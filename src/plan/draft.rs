@@ -55,7 +55,7 @@ pub struct BuildingDraft {
 }
 
 /// One storey before checking. It has no outline of its own: a wall with no room within 0.6 m behind most of it is exterior.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct LevelDraft {
     /// Unique in the building: it names the file of the level. `UniqueIds` of `read/foreign.rs` makes such ids of any texts.
     pub id: String,
@@ -96,7 +96,7 @@ pub enum OutlineKind {
 }
 
 /// One room before checking.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct RoomDraft {
     /// Unique in the level, not empty, without `/`; `UniqueIds` of `read/foreign.rs` makes such ids of any texts.
     pub id: String,
@@ -129,7 +129,7 @@ pub struct RoomDraft {
 }
 
 /// One opening before checking.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct OpeningDraft {
     /// Unique in the level, not empty, without `/`.
     pub id: String,
@@ -194,7 +194,7 @@ pub enum LeafDraft {
 }
 
 /// A column before checking.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ObstacleDraft {
     /// Corners as found.
     pub outline: Vec<Point>,

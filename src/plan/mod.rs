@@ -25,6 +25,7 @@ mod report;
 mod room_ref;
 #[cfg(test)]
 mod sample;
+mod shared;
 mod site_origin;
 mod units;
 mod words;
@@ -57,6 +58,7 @@ pub(crate) use read::{PlanFile, ProjectFile};
 pub(crate) use read::{PlannedSite, SiteNotes, finish_draft, id_taken, read_and_plan};
 pub use report::{BuildingReport, InputReport, LevelReport, Share};
 pub use room_ref::RoomRef;
+pub use shared::Shared;
 pub use site_origin::{EarthPlace, SiteOrigin};
 pub(crate) use units::{ECCENTRICITY_SQUARED, EQUATOR_RADIUS};
 pub use words::{GENERIC_ROOM_TYPE, RoomWords};

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::names::{replace_unprintable, replaced};
 use super::native::{LevelOrigins, NativeChecks, NativeDraft, ProblemList, Report, read_native};
 use crate::document::{Fault, Faults, Source};
+use crate::plan::assemble::Storeys;
 use crate::plan::guess::Guessing;
 use crate::plan::{
     Building, BuildingDraft, Level, LevelDraft, LevelReport, Problem, RoomWords, SitePlacement, Subject,
@@ -73,6 +74,7 @@ pub(super) fn finish(
     let mut problems = Vec::new();
     let mut reports = Vec::new();
     let mut ids = BTreeSet::new();
+    let mut storeys = Storeys::default();
     for (place, level) in draft.levels.into_iter().enumerate() {
         if !ids.insert(level.id.clone()) {
             let problem = repeated_id();
@@ -84,7 +86,8 @@ pub(super) fn finish(
         let checks = NativeChecks::of(&level);
         let mut report = LevelReport::of_draft(&level);
         let drawn = level.openings.iter().map(|opening| opening.id.clone()).collect();
-        let (mut level, mut found, guessed) = assemble_guessed(level, place, guessing.as_mut());
+        let (mut level, mut found, guessed) =
+            assemble_guessed(level, &mut storeys, (place, guessing.as_mut()));
         report.guessed = guessed;
         if matches!(drafted.provenance, Provenance::Native(..)) {
             checks.run(&level, &mut found);
@@ -122,8 +125,9 @@ fn settled(building: Building, id: &str, words: &RoomWords) -> Building {
     let source = Source::new(Path::new("settled.yaml"), &write_native(&building, id));
     let Ok(NativeDraft { draft, .. }) = read_native(&source, words) else { return building };
     let mut levels = Vec::with_capacity(building.levels.len());
+    let mut storeys = Storeys::default();
     for (level, draft) in building.levels.iter().zip(draft.levels) {
-        let (mut settled, problems) = assemble_level(draft);
+        let (mut settled, problems) = storeys.assemble(draft);
         let is_whole = settled.id == level.id
             && settled.rooms.len() == level.rooms.len()
             && settled.openings.len() == level.openings.len();
@@ -153,12 +157,12 @@ pub(crate) fn finish_draft(id: &str, draft: &BuildingDraft, words: &RoomWords) -
 /// anew with them: what a room is decides where doors open and which walls have pipes.
 fn assemble_guessed(
     mut draft: LevelDraft,
-    place: usize,
-    guessing: Option<&mut Guessing<'_>>,
+    storeys: &mut Storeys,
+    (place, guessing): (usize, Option<&mut Guessing<'_>>),
 ) -> (Level, Vec<Problem>, usize) {
     let is_known = draft.rooms.iter().all(|room| room.unknown_word.is_none());
     let Some(guessing) = guessing.filter(|_| !is_known) else {
-        let (level, problems) = assemble_level(draft);
+        let (level, problems) = storeys.assemble(draft);
         return (level, problems, 0);
     };
     let (level, _) = assemble_level(draft.clone());

@@ -210,25 +210,21 @@ fn finish_all(file: &Path, format: &'static str, reading: Drafts, words: &RoomWo
     let mut buildings = Vec::new();
     let mut report = InputReport { path: file.to_owned(), format, buildings: Vec::new() };
     let source = Arc::new(PlanSource { plan: file.to_owned(), ..PlanSource::default() });
-    for (drafted, Finished { building, faults: found, levels }) in finish_each(reading.drafts, words) {
+    for ((id, site), Finished { building, faults: found, levels }) in finish_each(reading.drafts, words) {
         faults.merge(found);
-        report.buildings.push(BuildingReport { id: drafted.id.clone(), levels });
+        report.buildings.push(BuildingReport { id: id.clone(), levels });
         if building.levels.is_empty() {
             continue;
         }
-        let placed = PlacedBuilding {
-            id: drafted.id,
-            site: drafted.placement,
-            building: Arc::new(building),
-            source: Arc::clone(&source),
-        };
+        let placed = PlacedBuilding { id, site, building: Arc::new(building), source: Arc::clone(&source) };
         buildings.push(ReadBuilding { placed, file: file.to_owned() });
     }
     Reading { buildings, faults, report: Some(report), origin: reading.origin }
 }
 
-/// Finishes the buildings of a file: one after the other where guesses are told, which are counted over all of them.
-fn finish_each(drafts: Vec<Drafted>, words: &RoomWords) -> Vec<(Drafted, Finished)> {
+/// Finishes the buildings of a file: one after the other where guesses are told, which are counted over all of them. Each draft is
+/// dropped when its building is there: those of a city take as much memory as its plans.
+fn finish_each(drafts: Vec<Drafted>, words: &RoomWords) -> Vec<((String, SitePlacement), Finished)> {
     let has_guesses = |drafted: &Drafted| {
         drafted.draft.levels.iter().flat_map(|level| &level.rooms).any(|room| room.unknown_word.is_some())
     };
@@ -236,13 +232,13 @@ fn finish_each(drafts: Vec<Drafted>, words: &RoomWords) -> Vec<(Drafted, Finishe
         let mut told = 0;
         let mut finish = |drafted: Drafted| {
             let finished = finish(&drafted, &Variation::default(), words, &mut told);
-            (drafted, finished)
+            ((drafted.id, drafted.placement), finished)
         };
         return drafts.into_iter().map(&mut finish).collect();
     }
     let finish = |drafted: Drafted| {
         let finished = finish(&drafted, &Variation::default(), words, &mut 0);
-        (drafted, finished)
+        ((drafted.id, drafted.placement), finished)
     };
     drafts.into_par_iter().map(finish).collect()
 }
