@@ -68,6 +68,8 @@ def nesting(value: object) -> int:
 
 
 def _split_glb(data: bytes) -> tuple[bytes, bytes | None]:
+    if len(data) < 12:
+        raise ValueError(f"it has {len(data)} bytes, fewer than the header of a .glb")
     magic, version, length = struct.unpack_from("<3I", data)
     if magic != GLB_MAGIC or version != 2:
         raise ValueError("no binary glTF 2.0 header")
@@ -76,7 +78,10 @@ def _split_glb(data: bytes) -> tuple[bytes, bytes | None]:
     chunks: dict[int, bytes] = {}
     offset = 12
     while offset < length:
-        size, kind = struct.unpack_from("<2I", data, offset)
+        head = data[offset:offset + 8]
+        size, kind = struct.unpack("<2I", head) if len(head) == 8 else (length, 0)
+        if offset + 8 + size > length:
+            raise ValueError(f"the chunk at byte {offset} reaches past the end of the file")
         chunks.setdefault(kind, data[offset + 8:offset + 8 + size])
         offset += 8 + size
     if GLB_JSON_CHUNK not in chunks:

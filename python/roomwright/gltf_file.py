@@ -83,9 +83,9 @@ class GltfFile:
         found: list[Node] = []
         while stack:
             index, parent = stack.pop()
+            node = self._node(index, parent)
             if len(found) >= count:
                 raise GltfError("the node tree has a cycle")
-            node = self._node(index, parent)
             found.append(node)
             stack.extend((child, node) for child in reversed(self.entry("nodes", index).get("children", [])))
         return found

@@ -172,6 +172,26 @@ def test_lists_in_lists_in_the_extras_fail_their_floor_alone(place, depth, capsy
     assert "deep.glb: [file] not a glTF file: " in capsys.readouterr().out
 
 
+@pytest.mark.parametrize("damage, fact", [
+    (lambda data: b"", "it has 0 bytes, fewer than the header of a .glb"),
+    (lambda data: data[:12] + b"\xff\xff\xff\x7f" + data[16:], "the chunk at byte 12 reaches past the end of the file"),
+])
+def test_a_file_that_is_cut_off_is_told_in_words(place, damage, fact, capsys):
+    whole = (place / "bake" / "good.glb").read_bytes()
+    (place / "bake" / "cut.glb").write_bytes(damage(whole))
+    assert convert.main([str(place / "bake"), "--out", str(place / "usd"), "--jobs", "1"]) == 1
+    assert f"cut.glb: not a glTF file: {fact}\n" in capsys.readouterr().err
+
+
+def test_a_root_that_is_not_there_is_no_cycle(place, capsys):
+    floor = build_floor()
+    floor.document["nodes"] = []
+    floor.write(place / "bake" / "rootless.glb")
+    assert convert.main([str(place / "bake"), "--out", str(place / "usd"), "--jobs", "1"]) == 1
+    error = capsys.readouterr().err
+    assert "rootless.glb: nodes[0] is not there\n" in error, error
+
+
 def test_few_bytes_do_not_become_many(place):
     """An accessor whose rows lie on each other would be as long as it likes."""
     floor = build_floor()
