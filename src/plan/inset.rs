@@ -16,6 +16,10 @@ use crate::geometry::{Point, Polygon, Segment};
 const SHARED_DISTANCE: f64 = 0.03;
 /// Metres that two edges run beside each other before they count as shared.
 const SHARED_LENGTH: f64 = 0.05;
+/// Edges that are looked at beside one, and more of them for each of its metres. So many lie at one place only where rooms are
+/// drawn upon each other.
+const MOST_BESIDE: usize = 512;
+const MOST_BESIDE_METRE: f64 = 64.0;
 /// Sine of the largest angle between shared edges.
 const SHARED_SINE: f64 = 0.03;
 /// A room keeps at least this mean width in metres, or its inset is halved.
@@ -74,7 +78,8 @@ fn shared_edges(room: usize, borders: &[Vec<Segment>], index: &BoxIndex<(usize, 
     let own = &borders[room];
     let is_shared_by_any = |&border: &Segment| {
         let near = border.bounds().inflated(SHARED_DISTANCE);
-        let mut others = index.meeting(near).filter(|(other, _)| *other != room);
+        let most = MOST_BESIDE + (border.length() * MOST_BESIDE_METRE) as usize;
+        let mut others = index.meeting(near).filter(|(other, _)| *other != room).take(most);
         others.any(|(other, edge)| is_shared(border, borders[other][edge]))
     };
     let mut shared: Vec<bool> = own.iter().map(is_shared_by_any).collect();

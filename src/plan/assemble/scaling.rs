@@ -45,6 +45,17 @@ fn many_rooms_in_one_place() {
 }
 
 #[test]
+fn many_rooms_on_centre_lines_in_one_place() {
+    assert_steady("rooms on each other on centre lines", |count| LevelDraft {
+        outlines: OutlineKind::Center,
+        ..level(
+            (0..count * 2).map(|index| rectangle(&format!("r{index}"), (0.0, 0.0), (4.0, 4.0))).collect(),
+            Vec::new(),
+        )
+    });
+}
+
+#[test]
 fn many_rooms_drawn_inside_one() {
     assert_steady("rooms in a room", |count| {
         let mut rooms = rows(count, 3.0, 3.0, 4.0);
