@@ -1,8 +1,10 @@
 //! Finds the text of a home in its ZIP archive, at bounded cost whatever the archive says of itself.
 
+use std::cell::Cell;
 use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom};
 use std::path::Path;
+use std::rc::Rc;
 
 use zip::ZipArchive;
 use zip::result::ZipError;
@@ -29,7 +31,7 @@ pub(super) fn is_archive(path: &Path) -> bool {
     if head(path, SIGNATURE.len() as u64) != SIGNATURE {
         return false;
     }
-    let Ok(archive) = open(path) else {
+    let Ok((archive, _)) = open(path) else {
         return path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("sh3d"));
     };
     [XML_ENTRY, OLD_ENTRY].iter().any(|name| archive.index_for_name(name).is_some())
@@ -45,7 +47,8 @@ pub(super) fn read_text(path: &Path) -> Result<Source, Faults> {
     }
     let refuse =
         |(message, hint): (String, &str)| Faults::from(Fault::of_file(path, message).with_hint(hint));
-    let mut archive = open(path).map_err(|error| refuse(damage(&error)))?;
+    let (mut archive, left) = open(path).map_err(|error| refuse(damage(&error)))?;
+    left.set(ENTRY_LIMIT);
     if archive.index_for_name(XML_ENTRY).is_none() {
         let hint = "open it in Sweet Home 3D 5.3 or later and save it again: that adds Home.xml";
         return Err(refuse((
@@ -69,13 +72,12 @@ pub(super) fn read_text(path: &Path) -> Result<Source, Faults> {
     Ok(Source::new(&inside, text.trim_start_matches('\u{feff}')))
 }
 
-/// The directory of an archive; from then on no more than an entry is read.
-fn open(path: &Path) -> Result<ZipArchive<Bounded>, ZipError> {
+/// The directory of an archive, and how many bytes more are read of it: what the directory left of its limit, until another is set.
+fn open(path: &Path) -> Result<(ZipArchive<Bounded>, Rc<Cell<u64>>), ZipError> {
     let (file, _) = open_regular(path)?;
-    let directory = Bounded { file: file.try_clone()?, left: DIRECTORY_LIMIT };
-    // Once to learn whether the directory is of a usual size, and a second time to read an entry.
-    ZipArchive::new(directory)?;
-    ZipArchive::new(Bounded { file, left: DIRECTORY_LIMIT + ENTRY_LIMIT })
+    let left = Rc::new(Cell::new(DIRECTORY_LIMIT));
+    let archive = ZipArchive::new(Bounded { file, left: Rc::clone(&left) })?;
+    Ok((archive, left))
 }
 
 fn damage(error: &ZipError) -> (String, &'static str) {
@@ -85,17 +87,18 @@ fn damage(error: &ZipError) -> (String, &'static str) {
 /// A file of which no more than some bytes are read.
 struct Bounded {
     file: File,
-    left: u64,
+    left: Rc<Cell<u64>>,
 }
 
 impl Read for Bounded {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        if self.left == 0 && !buffer.is_empty() {
+        let left = self.left.get();
+        if left == 0 && !buffer.is_empty() {
             return Err(io::Error::new(io::ErrorKind::InvalidData, "it is larger than that of any home"));
         }
-        let most = usize::try_from(self.left).unwrap_or(usize::MAX).min(buffer.len());
+        let most = usize::try_from(left).unwrap_or(usize::MAX).min(buffer.len());
         let count = self.file.read(&mut buffer[..most])?;
-        self.left -= count as u64;
+        self.left.set(left - count as u64);
         Ok(count)
     }
 }
