@@ -4,6 +4,7 @@
 //! place of every value, and its type is read from the tree (`typed`). If this fails, the tree is checked against the JSON
 //! Schema of the type; JSON is read again for it, with places. Thus every fault is found with its place.
 
+mod alike;
 mod choice;
 mod diagnose;
 mod excerpt;
@@ -27,6 +28,7 @@ mod xml;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use alike::first_of_each_kind;
 pub use fault::{Fault, FaultSeverity, PathStep, show_path};
 pub use faults::{Faults, Warned};
 pub(crate) use keys::top_keys;

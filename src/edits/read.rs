@@ -8,7 +8,9 @@ use super::book::{EditBook, ObjectEdit};
 use super::file::{EditsFile, ObjectEntry, RoomEntry, VERSION};
 use crate::catalog::Catalog;
 use crate::contract::ObjectId;
-use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source, did_you_mean};
+use crate::document::{
+    Fault, FaultSeverity, Faults, PathStep, Source, bounded, did_you_mean, first_of_each_kind,
+};
 use crate::plan::{Level, PlacedBuilding, Plan};
 
 /// The ending of the names of edits files, after the name of the plan without its extension.
@@ -45,7 +47,7 @@ pub fn read_edits(plan: &Plan, named: &[PathBuf], catalog: &Catalog) -> (EditBoo
         }
     }
     faults.sort();
-    (book, faults)
+    (book, first_of_each_kind(faults))
 }
 
 /// Reads one edits file by itself, to be added to.
@@ -115,9 +117,15 @@ impl Reading<'_> {
     }
 
     fn add_room(&mut self, index: usize, entry: &RoomEntry, book: &mut EditBook) {
+        if entry.objects.len() > MOST_OBJECTS {
+            let message = format!("has edits of {} objects", entry.objects.len());
+            let hint = format!("{MOST_OBJECTS} of them are applied, more than any room holds");
+            self.error(&step(index, &["objects"]), message, Some(hint));
+        }
         let objects: BTreeMap<String, ObjectEdit> = entry
             .objects
             .iter()
+            .take(MOST_OBJECTS)
             .filter_map(|(id, object)| Some((id.clone(), self.object(index, id, object)?)))
             .collect();
         let mut has_room = false;
@@ -209,7 +217,9 @@ impl Reading<'_> {
         if let Some(at) = at
             && !(matches!(at.len(), 2 | 3) && at.iter().all(|metres| metres.abs() < FARTHEST))
         {
-            return plain(Some("at"), "is no place", "write [x, y] or [x, y, z], in metres");
+            let message = format!("{} is no place", bounded(&format!("{at:?}")));
+            let hint = format!("write [x, y] or [x, y, z], in metres within {FARTHEST} m of the origin");
+            return plain(Some("at"), &message, &hint);
         }
         if turn.is_some_and(|degrees| !degrees.is_finite()) {
             return plain(Some("turn"), "is no angle", "write degrees");
@@ -253,6 +263,9 @@ type Problem = (Option<&'static str>, String, Option<String>);
 
 /// Metres: farther off is no building.
 const FARTHEST: f64 = 1e6;
+
+/// Edits of one room. The audit compares all objects that stand in one place, which takes a minute for so many.
+const MOST_OBJECTS: usize = 2_000;
 
 fn find_room<'a>(placed: &'a PlacedBuilding, entry: &RoomEntry) -> Option<&'a Level> {
     let level = placed.building.levels.iter().find(|level| level.id == entry.level)?;

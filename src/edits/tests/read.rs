@@ -122,6 +122,22 @@ fn edits_for_missing_rooms_are_warnings_with_their_place() {
 }
 
 #[test]
+fn of_thousands_of_edits_of_a_room_the_first_are_applied() {
+    let objects: Vec<String> = (1..=2_500).map(|number| format!("plant.{number}: {{turn: 3}}")).collect();
+    let faults = faults(&objects.join(", "));
+    assert_eq!(faults.0.len(), 1, "{faults}");
+    assert_eq!(faults.0[0].message, "has edits of 2500 objects");
+}
+
+#[test]
+fn of_many_edits_of_rooms_that_are_not_there_the_first_are_reported() {
+    let objects: Vec<String> = (0..1_000).map(|number| format!("desk.{number}x: {{turn: 3}}")).collect();
+    let faults = faults(&objects.join(", "));
+    assert!(faults.0.len() < 250, "{}", faults.0.len());
+    assert!(faults.0.last().is_some_and(|fault| fault.message.ends_with("more like it)")), "{faults}");
+}
+
+#[test]
 fn edits_that_make_no_sense_are_faults_and_the_others_stay() {
     for (objects, message) in [
         ("desk: {remove: true}", "\"desk\" is no id of an object"),
@@ -129,7 +145,8 @@ fn edits_that_make_no_sense_are_faults_and_the_others_stay() {
         ("desk.1: {lock: true}", "does not say where it stands"),
         ("desk.7: {add: true, class: chair, at: [1, 1]}", "a new object has a second class"),
         ("desk.1: {lock: true, at: [1, 1], class: chair}", "is locked and of another class at once"),
-        ("desk.1: {at: [1]}", "is no place"),
+        ("desk.1: {at: [1]}", "[1.0] is no place"),
+        ("desk.1: {at: [1e300, 0]}", "e300, 0.0] is no place"),
         ("desk.1: {}", "says nothing of it"),
         ("dekc.1: {turn: 3}", "unknown class \"dekc\""),
         ("desk.1: {class: dekc}", "unknown class \"dekc\""),

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::names::{replace_unprintable, replaced};
 use super::native::{LevelOrigins, NativeChecks, NativeDraft, ProblemList, Report, read_native};
-use crate::document::{Fault, Faults, Source};
+use crate::document::{Fault, Faults, Source, first_of_each_kind};
 use crate::plan::assemble::Storeys;
 use crate::plan::guess::Guessing;
 use crate::plan::{
@@ -206,7 +206,7 @@ impl Provenance {
                 for (level, problems) in problems {
                     problems.into_iter().for_each(|problem| faults.push(fault(&level, problem)));
                 }
-                faults
+                first_of_each_kind(faults)
             }
         }
     }

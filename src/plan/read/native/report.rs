@@ -1,6 +1,6 @@
 //! Collects the faults of one file by document path.
 
-use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source, did_you_mean};
+use crate::document::{Fault, FaultSeverity, Faults, PathStep, Source, did_you_mean, first_of_each_kind};
 
 /// Faults up to which a similar name is looked for, because each is compared with all names.
 const HINTED: usize = 200;
@@ -64,10 +64,11 @@ impl<'a> Report<'a> {
         fault.position.map(|(line, _)| line)
     }
 
-    /// Everything found, by place, equal faults once: a prototype's fault shows once however often it is placed.
+    /// What was found, by place, equal faults once: a prototype's fault shows once however often it is placed. Of many faults of a
+    /// kind the first are listed and the others counted.
     pub(crate) fn finish(mut self) -> Faults {
         self.faults.sort();
-        self.faults
+        first_of_each_kind(self.faults)
     }
 }
 
