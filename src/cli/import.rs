@@ -41,7 +41,7 @@ pub(crate) fn run(arguments: ImportArguments, screen: Screen) -> Outcome {
         is_for_writing: true,
         ..options
     });
-    let (PlanReading { plan, mut faults, reports, .. }, catalog) = match read {
+    let (PlanReading { plan, mut faults, reports, furniture, .. }, catalog) = match read {
         Ok(read) => read,
         Err(faults) => {
             screen.faults(&faults);
@@ -55,7 +55,8 @@ pub(crate) fn run(arguments: ImportArguments, screen: Screen) -> Outcome {
             return Outcome::NotStarted;
         }
     };
-    let mut furniture = FurnitureKeeper::new(&catalog, sources.choices(), Overwrite::forced(force));
+    let mut furniture =
+        FurnitureKeeper::new(&catalog, sources.choices(), Overwrite::forced(force), furniture);
     let mut written = Vec::new();
     for target in &targets {
         let text = write_native(&target.placed.building, &target.placed.id);

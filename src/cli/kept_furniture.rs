@@ -43,8 +43,14 @@ pub(crate) struct FurnitureKeeper<'a> {
 }
 
 impl<'a> FurnitureKeeper<'a> {
-    pub(crate) fn new(catalog: &'a Catalog, choices: Choices, overwrite: Overwrite) -> Self {
-        Self { catalog, choices, overwrite, drawn: BTreeMap::new() }
+    /// `drawn` is what was read with the plans.
+    pub(crate) fn new(
+        catalog: &'a Catalog,
+        choices: Choices,
+        overwrite: Overwrite,
+        drawn: BTreeMap<PathBuf, Vec<DrawnPiece>>,
+    ) -> Self {
+        Self { catalog, choices, overwrite, drawn }
     }
 
     /// Writes the furniture of a building beside its plan; nothing if none is drawn, or none is kept.

@@ -1,8 +1,9 @@
 //! Options for reading plans.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use super::{InputReport, Plan, RoomWords, SiteOrigin};
+use super::{DrawnPiece, InputReport, Plan, RoomWords, SiteOrigin};
 use crate::document::Faults;
 use crate::storey::{Choices, Typologies};
 
@@ -68,4 +69,6 @@ pub struct PlanReading {
     pub reports: Vec<InputReport>,
     /// Where the site is on the earth, if the only file that was read says so; projects say it in their settings.
     pub origin: Option<SiteOrigin>,
+    /// The furniture that is kept, by file, as far as it was read on the way; [`super::drawn_furniture`] reads that of the others.
+    pub furniture: BTreeMap<PathBuf, Vec<DrawnPiece>>,
 }

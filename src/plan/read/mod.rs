@@ -64,7 +64,7 @@ use super::{
     BuildingReport, InputReport, PlacedBuilding, Plan, PlanOptions, PlanReading, PlanSource, ProjectSettings,
     RoomWords, SiteOrigin, SitePlacement,
 };
-use crate::document::{Fault, Faults, Source};
+use crate::document::{Fault, Faults, Source, first_of_each_kind};
 
 /// Reads all plans that paths name: native plans, projects, foreign plans, folders and patterns of them.
 ///
@@ -75,7 +75,9 @@ pub fn read_plans(paths: &[PathBuf], options: &PlanOptions<'_>) -> PlanReading {
     let (inputs, mut faults) = find_inputs(paths);
     let readings: Vec<_> = inputs.par_iter().map(|input| read_input(input, options)).collect();
     let (mut buildings, mut reports, mut origins) = (Vec::new(), Vec::new(), Vec::new());
-    for reading in readings {
+    let mut furniture = BTreeMap::new();
+    for (reading, input) in readings.into_iter().zip(&inputs) {
+        furniture.extend(reading.furniture.map(|pieces| (input.path.clone(), pieces)));
         origins.push(reading.origin);
         buildings.extend(reading.buildings);
         faults.merge(reading.faults);
@@ -88,7 +90,7 @@ pub fn read_plans(paths: &[PathBuf], options: &PlanOptions<'_>) -> PlanReading {
     faults.sort();
     // Several files stand on planes of their own: then nothing is said of where on the earth they are.
     let origin = if let [origin] = origins.as_mut_slice() { origin.take() } else { None };
-    PlanReading { plan, faults, reports, origin }
+    PlanReading { plan, faults, reports, origin, furniture }
 }
 
 /// As [`read_plans`], of one plan in YAML or JSON that is in memory; the name of its source is the file of its faults.
@@ -102,10 +104,10 @@ pub fn parse_plan(source: Source, options: &PlanOptions<'_>) -> PlanReading {
         }
         Kind::Plan | Kind::Other => read_text(source, options.words),
     };
-    let Reading { buildings, mut faults, report, origin } = reading;
+    let Reading { buildings, mut faults, report, origin, .. } = reading;
     let plan = Plan { buildings: unique(buildings, &mut faults) };
     faults.sort();
-    PlanReading { plan, faults, reports: report.into_iter().collect(), origin }
+    PlanReading { plan, faults, reports: report.into_iter().collect(), origin, ..PlanReading::default() }
 }
 
 /// The settings of the project files among the paths: read before the catalogue, which they may extend.
@@ -162,6 +164,8 @@ struct Reading {
     report: Option<InputReport>,
     /// Where the site is on the earth, if the file says; projects say it in their settings.
     origin: Option<SiteOrigin>,
+    /// The furniture that is kept, if the reader read it on the way.
+    furniture: Option<Vec<DrawnPiece>>,
 }
 
 impl From<Faults> for Reading {
@@ -219,7 +223,7 @@ fn finish_all(file: &Path, format: &'static str, reading: Drafts, words: &RoomWo
         let placed = PlacedBuilding { id, site, building: Arc::new(building), source: Arc::clone(&source) };
         buildings.push(ReadBuilding { placed, file: file.to_owned() });
     }
-    Reading { buildings, faults, report: Some(report), origin: reading.origin }
+    Reading { buildings, faults, report: Some(report), origin: reading.origin, furniture: reading.furniture }
 }
 
 /// Finishes the buildings of a file: one after the other where guesses are told, which are counted over all of them. Each draft is
@@ -250,6 +254,8 @@ struct Drafts {
     faults: Faults,
     /// Where the site is on the earth, if the file says.
     origin: Option<SiteOrigin>,
+    /// The furniture that is kept, if the reader read it on the way.
+    furniture: Option<Vec<DrawnPiece>>,
     is_project: bool,
 }
 
@@ -271,7 +277,7 @@ fn read_drafts(path: &Path, options: &PlanOptions<'_>) -> Drafts {
         };
     };
     match (format.read)(path, options) {
-        Ok(ReadBuildings { buildings, faults, origin }) => {
+        Ok(ReadBuildings { buildings, faults, origin, mut furniture }) => {
             let drafted = |DraftedBuilding { id, mut draft, placement, is_settled }| {
                 fit_ids(&mut draft);
                 Drafted {
@@ -282,7 +288,11 @@ fn read_drafts(path: &Path, options: &PlanOptions<'_>) -> Drafts {
                     provenance: Provenance::Foreign(path.to_owned()),
                 }
             };
-            Drafts { drafts: buildings.into_iter().map(drafted).collect(), faults, origin, is_project: false }
+            for piece in furniture.iter_mut().flatten() {
+                piece.building = fit_building_id(&piece.building);
+            }
+            let drafts = buildings.into_iter().map(drafted).collect();
+            Drafts { drafts, faults, origin, furniture, is_project: false }
         }
         Err(faults) => Drafts { faults, ..Drafts::default() },
     }
@@ -334,14 +344,39 @@ fn unique(mut buildings: Vec<ReadBuilding>, faults: &mut Faults) -> Vec<PlacedBu
     buildings.sort_by(|a, b| a.placed.id.cmp(&b.placed.id).then_with(|| a.file.cmp(&b.file)));
     let mut kept: BTreeMap<String, PathBuf> = BTreeMap::new();
     let mut placed = Vec::with_capacity(buildings.len());
+    let mut taken = Faults::default();
     for building in buildings {
         let id = &building.placed.id;
         if let Some(first) = kept.get(id) {
-            faults.push(id_taken(&building.file, id, first));
+            taken.push(id_taken(&building.file, id, first));
         } else {
             kept.insert(id.clone(), building.file);
             placed.push(building.placed);
         }
     }
+    faults.merge(first_of_each_kind(taken));
     placed
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::Building;
+
+    #[test]
+    fn of_hundreds_of_files_with_one_id_the_first_are_reported() {
+        let read = |number: usize| ReadBuilding {
+            placed: PlacedBuilding {
+                id: "house".to_owned(),
+                site: SitePlacement::default(),
+                building: Arc::new(Building { name: None, attribution: None, levels: Vec::new() }),
+                source: Arc::default(),
+            },
+            file: PathBuf::from(format!("{number:03}.yaml")),
+        };
+        let mut faults = Faults::default();
+        assert_eq!(unique((0..900).map(read).collect(), &mut faults).len(), 1);
+        assert_eq!(faults.0.len(), 201);
+        assert!(faults.0[200].message.ends_with("(and 698 more like it)"), "{}", faults.0[200].message);
+    }
 }

@@ -55,6 +55,9 @@ pub(crate) struct ReadBuildings {
     pub(crate) faults: Faults,
     /// Where the site is on the earth, if the file says.
     pub(crate) origin: Option<SiteOrigin>,
+    /// The furniture that it draws, by the same ids of buildings and levels, where the options keep it: so that nobody reads a large
+    /// file twice. A reader may leave it to its `furniture`.
+    pub(crate) furniture: Option<Vec<DrawnPiece>>,
 }
 
 /// A building as a reader drafts it; `assemble` checks and completes it.
@@ -83,7 +86,7 @@ impl ReadBuildings {
         if buildings.is_empty() && faults.has_errors() {
             Err(faults)
         } else {
-            Ok(Self { buildings, faults, origin: None })
+            Ok(Self { buildings, faults, origin: None, furniture: None })
         }
     }
 }

@@ -17,7 +17,7 @@ fn case(name: &str, from: &str, to: &str) -> (Vec<Level>, Vec<String>) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join(Path::new(name).with_extension("ifc"));
     std::fs::write(&path, text.replacen(from, to, 1)).unwrap();
-    let found = read(&path, &words()).unwrap_or_else(|faults| panic!("{faults}"));
+    let found = read(&path, &words(), false).unwrap_or_else(|faults| panic!("{faults}"));
     let mut noted = messages(&found.faults);
     let drafts = found.buildings.into_iter().flat_map(|building| building.draft.levels);
     let mut levels = Vec::new();

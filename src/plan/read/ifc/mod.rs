@@ -75,7 +75,7 @@ pub(crate) const FORMAT: ForeignFormat = ForeignFormat {
     },
     recognises,
     near_miss: |_| None,
-    read: |path, options| read(path, options.words),
+    read: |path, options| read(path, options.words, options.keeps_furniture),
     furniture: Some(drawn_furniture),
 };
 /// The beginning of every exchange file.
@@ -102,15 +102,17 @@ fn recognises(path: &Path) -> bool {
 }
 
 /// Reads the buildings of a file that have spaces, in the order of their numbers.
-fn read(path: &Path, words: &RoomWords) -> ReadResult {
+fn read(path: &Path, words: &RoomWords, keeps_furniture: bool) -> ReadResult {
     let (model, name, mut faults) = open(path)?;
-    let buildings = building::buildings(&model, words, &name, false);
+    let buildings = building::buildings(&model, words, &name, keeps_furniture);
     faults.merge(model.faults());
     if model.ids(&["IFCSPACE"]).next().is_none() {
         let hint = "export rooms as spaces; in Revit rooms must be placed, in ArchiCAD zones";
         faults.push(Fault::of_file(path, "holds no spaces (IfcSpace), so no rooms").with_hint(hint));
     }
-    ReadBuildings::new(buildings.into_iter().map(|(building, _)| building).collect(), faults)
+    let (buildings, furniture): (Vec<_>, Vec<_>) = buildings.into_iter().unzip();
+    let furniture = keeps_furniture.then(|| furniture.concat());
+    ReadBuildings::new(buildings, faults).map(|read| ReadBuildings { furniture, ..read })
 }
 
 /// The furniture of an IFC file, by building and number; what has no place or shape is left out.

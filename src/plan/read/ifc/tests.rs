@@ -19,7 +19,7 @@ const VILLA: &str = "tests/cases/plan_import/villa/villa.ifc";
 fn duplex() -> Option<DraftedBuilding> {
     let path = folder("ifc")?.join("Duplex_A_20110907.ifc");
     assert!(recognises(&path));
-    let mut found = read(&path, &words()).unwrap_or_else(|faults| panic!("{faults}"));
+    let mut found = read(&path, &words(), false).unwrap_or_else(|faults| panic!("{faults}"));
     let expected = "roof windows and hatches: 2 are left out, as a plan has openings in walls only";
     assert!(messages(&found.faults).iter().all(|message| message.ends_with(expected)), "{}", found.faults);
     assert_eq!(found.faults.0.len(), 1);
@@ -32,7 +32,7 @@ fn read_bytes(bytes: &[u8]) -> ReadResult {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("house.ifc");
     std::fs::write(&path, bytes).unwrap();
-    read(&path, &words())
+    read(&path, &words(), false)
 }
 
 /// The villa of the tests with some text replaced, read.
@@ -178,7 +178,7 @@ fn fixtures_in_a_space_with_an_unknown_word_are_noted() {
     let path = folder.path().join("villa.ifc");
     let text = std::fs::read_to_string(VILLA).unwrap().replacen("#150=", shower, 1);
     std::fs::write(&path, text).unwrap();
-    let found = read(&path, &words).unwrap();
+    let found = read(&path, &words, false).unwrap();
     let rooms = found.buildings.iter().flat_map(|found| &found.draft.levels).flat_map(|level| &level.rooms);
     let noted: Vec<(&str, Vec<&str>)> = rooms
         .filter(|room| !room.fixtures.is_empty())

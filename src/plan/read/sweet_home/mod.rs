@@ -106,18 +106,23 @@ fn read(path: &Path, options: &PlanOptions<'_>) -> ReadResult {
     }
     let usual_family = Some("home");
     let draft = BuildingDraft { name: title(&home), levels, usual_family, ..BuildingDraft::default() };
+    let furniture = options.keeps_furniture.then(|| pieces_of(path, &storeys));
     ReadBuildings::new(
         vec![DraftedBuilding { id: id(path), draft, is_settled: true, ..DraftedBuilding::default() }],
         faults,
     )
+    .map(|read| ReadBuildings { furniture, ..read })
 }
 
 /// The furniture of a home: what is neither a door nor stairs, and of a size that furniture has.
 fn furniture(path: &Path, _: &PlanOptions<'_>) -> Result<Vec<DrawnPiece>, Faults> {
     let mut notes = Notes::new(read_text(path)?);
     let Some(home) = xml::read_home(&mut notes) else { return Err(notes.finish()) };
+    Ok(pieces_of(path, &level::storeys(&home, &mut notes)))
+}
+
+fn pieces_of(path: &Path, storeys: &[Storey<'_>]) -> Vec<DrawnPiece> {
     let building = id(path);
-    let storeys = level::storeys(&home, &mut notes);
     let drawn = |storey: &Storey<'_>, piece: &Piece| DrawnPiece {
         building: building.clone(),
         level: storey.id.clone(),
@@ -133,7 +138,7 @@ fn furniture(path: &Path, _: &PlanOptions<'_>) -> Result<Vec<DrawnPiece>, Faults
         let furniture = storey.pieces.iter().filter(|piece| is_left_out(piece) && is_furniture(piece));
         furniture.map(|piece| drawn(storey, piece))
     });
-    Ok(pieces.collect())
+    pieces.collect()
 }
 
 /// Whether a plan has no place for a piece.

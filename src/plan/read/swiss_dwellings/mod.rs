@@ -65,6 +65,7 @@ fn read(path: &Path, options: &PlanOptions<'_>) -> ReadResult {
     let mut types = RoomTypes::new(options.words);
     let mut furniture: Option<(usize, usize)> = None;
     let mut drafted = Vec::with_capacity(buildings.len());
+    let mut kept = options.keeps_furniture.then(Vec::new);
     for (building, storeys) in storeys_of(buildings, &mut notes) {
         for piece in storeys
             .iter()
@@ -73,6 +74,9 @@ fn read(path: &Path, options: &PlanOptions<'_>) -> ReadResult {
         {
             let (line, count) = furniture.get_or_insert((piece.line, 0));
             (*line, *count) = (piece.line.min(*line), *count + 1);
+        }
+        if let Some(kept) = &mut kept {
+            kept.extend(pieces_of(&building, &storeys));
         }
         let draft = BuildingDraft {
             attribution: Some(ATTRIBUTION.to_owned()),
@@ -96,7 +100,7 @@ fn read(path: &Path, options: &PlanOptions<'_>) -> ReadResult {
             Fault::of_file(path, "the table has no rows").with_hint("one line for each element is needed"),
         );
     }
-    ReadBuildings::new(drafted, faults)
+    ReadBuildings::new(drafted, faults).map(|read| ReadBuildings { furniture: kept, ..read })
 }
 
 /// The furniture of the chosen floors.
@@ -104,10 +108,12 @@ fn furniture(path: &Path, options: &PlanOptions<'_>) -> Result<Vec<DrawnPiece>, 
     let mut notes = Notes::new(path);
     let buildings = gather(path, &selection(options), &mut notes)?;
     let storeys = storeys_of(buildings, &mut notes);
-    let pieces = storeys.iter().flat_map(|(building, storeys)| {
-        storeys.iter().flat_map(move |storey| fixtures::pieces(storey, building))
-    });
-    Ok(pieces.collect())
+    Ok(storeys.iter().flat_map(|(building, storeys)| pieces_of(building, storeys)).collect())
+}
+
+/// The furniture of the storeys of a building.
+fn pieces_of(building: &str, storeys: &[Storey]) -> Vec<DrawnPiece> {
+    storeys.iter().flat_map(|storey| fixtures::pieces(storey, building)).collect()
 }
 
 /// The floors that `--only` names.

@@ -155,6 +155,9 @@ fn kitchens_and_baths_are_kept_at_their_walls() {
     let catalog = load_catalog(&[]).unwrap().value;
     let options = PlanOptions::new(&catalog.room_words);
     let pieces = furniture(Path::new(TABLE), &options).unwrap();
+    let keeping = PlanOptions { keeps_furniture: true, ..options };
+    let read_with_rooms = read_plans(&[PathBuf::from(TABLE)], &keeping).furniture.remove(Path::new(TABLE));
+    assert_eq!(read_with_rooms.as_ref(), Some(&pieces), "the table is not read once more");
     let PlanReading { plan, .. } = read_plans(&[PathBuf::from(TABLE)], &options);
     let placed = plan.buildings.iter().find(|placed| placed.id == "building_21").unwrap();
     let kept = keep_drawn(&pieces, placed, &catalog);
