@@ -160,26 +160,32 @@ fn add_origins<T: Extends>(
     files: &Files,
     origins: &mut BTreeMap<(DefinitionKind, String), Origin>,
 ) {
+    let mut lines: BTreeMap<usize, BTreeMap<&str, usize>> = BTreeMap::new();
     for id in table.ids() {
         let definition = table.get(id).expect("the id comes from the table");
-        let source = &files.sources[definition.spot.source];
+        let number = definition.spot.source;
+        let source = &files.sources[number];
+        let lines = lines.entry(number).or_insert_with(|| lines_of_keys(source.text()));
         let origin = Origin {
             file: source.file().to_owned(),
-            line: line_of(source.text(), id),
+            line: lines.get(id).copied(),
             extends: definition.entry.base().map(str::to_owned),
         };
         origins.insert((kind, id.to_owned()), origin);
     }
 }
 
-/// The line on which an id is defined: of the lines that begin with it as a key, the one that is indented least,
+/// The line on which each id is defined: of the lines that begin with it as a key, the one that is indented least,
 /// but is no key of the file itself. Parsing the tree once more for this would cost as much as all the rest.
-fn line_of(text: &str, id: &str) -> Option<usize> {
-    let indent = |line: &str| line.len() - line.trim_start().len();
-    let defines = |line: &str| {
-        let key = line.trim_start().trim_start_matches('"').strip_prefix(id);
-        key.is_some_and(|rest| rest.trim_start_matches('"').trim_start().starts_with(':'))
-    };
-    let lines = text.lines().enumerate().filter(|(_, line)| indent(line) > 0 && defines(line));
-    lines.min_by_key(|(_, line)| indent(line)).map(|(index, _)| index + 1)
+fn lines_of_keys(text: &str) -> BTreeMap<&str, usize> {
+    let mut found: BTreeMap<&str, (usize, usize)> = BTreeMap::new();
+    for (index, line) in text.lines().enumerate() {
+        let rest = line.trim_start();
+        let indent = line.len() - rest.len();
+        let Some((key, _)) = rest.split_once(':').filter(|_| indent > 0) else { continue };
+        let place = (indent, index + 1);
+        let key = key.trim_start_matches('"').trim_end().trim_end_matches('"');
+        found.entry(key).and_modify(|first| *first = place.min(*first)).or_insert(place);
+    }
+    found.into_iter().map(|(key, (_, line))| (key, line)).collect()
 }

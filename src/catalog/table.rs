@@ -4,6 +4,9 @@ use std::collections::BTreeMap;
 
 use super::report::{Report, Spot};
 
+/// Definitions that one may extend in a row. Those of the catalogue extend three; each one more is walked through for every key.
+const MOST_EXTENDED: usize = 64;
+
 /// One definition as it was written.
 #[derive(Debug)]
 pub(crate) struct Definition<T> {
@@ -33,11 +36,13 @@ pub(crate) trait Extends {
 pub(crate) struct Table<T> {
     definitions: Vec<Definition<T>>,
     newest: BTreeMap<String, usize>,
+    /// The definition of the same id in an earlier folder, by definition.
+    earlier: Vec<Option<usize>>,
 }
 
 impl<T> Default for Table<T> {
     fn default() -> Self {
-        Self { definitions: Vec::new(), newest: BTreeMap::new() }
+        Self { definitions: Vec::new(), newest: BTreeMap::new(), earlier: Vec::new() }
     }
 }
 
@@ -92,7 +97,7 @@ impl<T: Extends> Table<T> {
             report.error_at_key(&definition.spot, message, &hint);
             return;
         }
-        self.newest.insert(definition.id.clone(), self.definitions.len());
+        self.earlier.push(self.newest.insert(definition.id.clone(), self.definitions.len()));
         self.definitions.push(definition);
     }
 
@@ -107,7 +112,7 @@ impl<T: Extends> Table<T> {
     }
 
     /// The last definition of every id with all that it extends, sorted by id. Definitions whose bases
-    /// are unknown or run in a circle are reported and left out.
+    /// are unknown, run in a circle or are too many are reported and left out.
     pub(crate) fn chains(&self, report: &mut Report<'_>) -> Vec<Chain<'_, T>> {
         self.newest.values().filter_map(|&index| self.chain(index, report)).collect()
     }
@@ -125,6 +130,10 @@ impl<T: Extends> Table<T> {
                 return None;
             }
             indices.push(current);
+            if indices.len() > MOST_EXTENDED + 1 {
+                self.report_length(start, report);
+                return None;
+            }
         }
         Some(Chain(indices.iter().map(|&index| &self.definitions[index]).collect()))
     }
@@ -135,8 +144,7 @@ impl<T: Extends> Table<T> {
         let definition = &self.definitions[index];
         let spot = definition.spot.key("extends");
         if base == definition.id {
-            let earlier =
-                self.definitions.iter().rposition(|other| other.id == base && other.layer < definition.layer);
+            let earlier = self.earlier[index];
             if earlier.is_none() {
                 let message = format!("{} \"{base}\" extends itself", T::KIND);
                 report.error_with_hint(&spot, message, "no earlier folder defines it");
@@ -148,6 +156,13 @@ impl<T: Extends> Table<T> {
             report.unknown(&spot, T::KIND, base, self.ids());
         }
         found
+    }
+
+    fn report_length(&self, start: usize, report: &mut Report<'_>) {
+        let definition = &self.definitions[start];
+        let message =
+            format!("{} \"{}\" extends more than {MOST_EXTENDED} others in a row", T::KIND, definition.id);
+        report.error_with_hint(&definition.spot.key("extends"), message, "let it extend one of the first");
     }
 
     fn report_circle(&self, indices: &[usize], report: &mut Report<'_>) {

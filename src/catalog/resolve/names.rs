@@ -74,6 +74,10 @@ impl<'a> Names<'a> {
         for chain in chains {
             names.add_groups(chain, report);
         }
+        for members in names.words.values_mut() {
+            members.sort_unstable();
+            members.dedup();
+        }
         names
     }
 
@@ -90,11 +94,7 @@ impl<'a> Names<'a> {
                 );
             }
             let Some(class) = class else { continue };
-            let members = self.words.entry(group).or_default();
-            if !members.contains(&class) {
-                members.push(class);
-                members.sort_unstable();
-            }
+            self.words.entry(group).or_default().push(class);
             self.groups[class].push(group.clone());
         }
         if let Some(class) = class {

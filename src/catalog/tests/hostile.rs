@@ -95,3 +95,36 @@ fn the_undamaged_files_are_good() {
     assert!(warnings.is_empty(), "{warnings}");
     assert!(catalog.class_index("tall_rack").is_some());
 }
+
+/// Classes of which each extends the one that `base` names of its number.
+fn extending(count: usize, base: impl Fn(usize) -> String) -> String {
+    let line = |number: usize| format!("  c{number:05}: {{extends: {}}}\n", base(number));
+    let lines: String = (0..count).map(line).collect();
+    format!("version: 1\nclasses:\n{lines}")
+}
+
+#[test]
+fn many_classes_take_a_time_that_grows_with_their_number() {
+    const STEEPEST: f64 = 1.4;
+    let make = |count: usize| {
+        let members = "  many: {extends: table, groups: [crowd]}\n";
+        let text = extending(count, |_| "many".to_owned());
+        folder(&[("classes/a.yaml", &format!("{text}{members}"))])
+    };
+    let run = |folder: tempfile::TempDir| drop(load_above_base(&[folder.path().to_owned()]).unwrap());
+    let power = crate::growth::growth(1_000, 8, STEEPEST, make, run);
+    assert!(power < STEEPEST, "time grows with the power {power:.2} of the number of classes");
+}
+
+#[test]
+fn a_row_of_classes_that_extend_each_other_has_an_end() {
+    let base = |number: usize| if number == 0 { "table".to_owned() } else { format!("c{:05}", number - 1) };
+    let load = |count: usize| {
+        let folder = folder(&[("classes/a.yaml", &extending(count, base))]);
+        load_above_base(&[folder.path().to_owned()])
+    };
+    assert!(load(60).is_ok());
+    let faults = load(200).unwrap_err();
+    let message = "class \"c00199\" extends more than 64 others in a row";
+    assert!(faults.0.iter().any(|fault| fault.message == message), "{faults}");
+}
