@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display};
 
-use serde::de::Error;
+use serde::de::{Error, Expected, Unexpected};
 
 use crate::document::PathStep;
 
@@ -44,5 +44,17 @@ impl Error for Mismatch {
     #[cold]
     fn custom<T: Display>(message: T) -> Self {
         Self(Box::new(Reason { message: message.to_string(), path: Vec::new() }))
+    }
+
+    /// Of numbers, the reader of a whole number knows no more than how its program keeps it.
+    #[cold]
+    fn invalid_value(found: Unexpected<'_>, expected: &dyn Expected) -> Self {
+        match found {
+            Unexpected::Signed(number) => {
+                Self::custom(format!("{number} is too large or too small for a number here"))
+            }
+            Unexpected::Unsigned(number) => Self::custom(format!("{number} is too large for a number here")),
+            _ => Self::custom(format!("invalid value: {found}, expected {expected}")),
+        }
     }
 }

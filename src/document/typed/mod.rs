@@ -122,11 +122,23 @@ fn visit_scalar<'de, V: Visitor<'de>>(value: &Value, visitor: V) -> Result<V::Va
     }
 }
 
+/// The whole number that a decimal one is, as `1e9`; others as they are.
+fn whole(value: Value) -> Value {
+    /// The largest below which each whole number is a decimal one.
+    const EXACT: f64 = 9_007_199_254_740_992.0;
+    match value.as_f64() {
+        Some(number) if value.is_f64() && number.fract() == 0.0 && number.abs() < EXACT => {
+            Value::from(number as i64)
+        }
+        _ => value,
+    }
+}
+
 /// Reading what is no text: from the value itself, or from the text that stands for it.
 macro_rules! deserialize_untexted {
-    ($($method:ident)*) => {
+    ($read:expr => $($method:ident)*) => {
         $(fn $method<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Mismatch> {
-            match self.untexted() {
+            match self.untexted().map($read) {
                 Some(value) => visit_scalar(&value, visitor),
                 None => Err(self.mismatch(&visitor)),
             }
@@ -169,9 +181,10 @@ impl<'de> Deserializer<'de> for &Node {
     }
 
     deserialize_untexted! {
-        deserialize_bool deserialize_i8 deserialize_i16 deserialize_i32 deserialize_i64 deserialize_i128 deserialize_u8
-        deserialize_u16 deserialize_u32 deserialize_u64 deserialize_u128 deserialize_f32 deserialize_f64
+        whole => deserialize_i8 deserialize_i16 deserialize_i32 deserialize_i64 deserialize_i128 deserialize_u8
+        deserialize_u16 deserialize_u32 deserialize_u64 deserialize_u128
     }
+    deserialize_untexted! { std::convert::identity => deserialize_bool deserialize_f32 deserialize_f64 }
 
     deserialize_named!();
 

@@ -67,3 +67,12 @@ fn a_mismatch_knows_its_place() {
     assert_eq!(place("a: [round, {round: 1}]").1, "a[1].round");
     assert_eq!(place("b: 3").1, "b");
 }
+
+#[test]
+fn a_whole_number_may_be_written_as_a_decimal_one() {
+    assert_eq!(yaml::<i64>("1e9"), Ok(1_000_000_000));
+    assert_eq!(yaml::<u32>("2.0"), Ok(2));
+    assert!(yaml::<i64>("1.5").is_err() && yaml::<i64>("1e300").is_err());
+    let (message, _) = yaml::<i32>("4294967296").unwrap_err();
+    assert_eq!(message, "4294967296 is too large for a number here");
+}
