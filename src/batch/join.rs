@@ -10,6 +10,8 @@ use super::folder::OutputFolder;
 use super::manifest::{Listed, MANIFEST_NAME, without_own_program, write_manifest};
 use super::options::Shard;
 use super::options::Unplanned;
+use super::part_file::PartFile;
+use super::parts::missing_parts;
 use super::record::{FileRecord, LevelKey, LevelRecord, Totals, has_index};
 use super::sources::{Contents, FoundRecord, Sources, manifest_paths};
 use super::state::{
@@ -81,8 +83,20 @@ pub fn merge(root: &Path) -> Result<MergeReport, OutputFault> {
     let as_error = |fault: Fault| Fault { severity: FaultSeverity::Error, ..fault };
     let mut faults = Faults(std::mem::take(&mut contents.faults).0.into_iter().map(as_error).collect());
     faults.merge(missing);
+    // The records of another run may be those of a missing share.
+    if runs.journals().is_empty() {
+        faults.0.extend(missing_shares(root, &manifests));
+    }
     faults.0.extend(missing_index(&manifest, &contents));
     Ok(MergeReport { manifest, totals, living_runs: runs.living.len(), faults })
+}
+
+/// A fault if nothing but some parts of a division were there: nobody knows the levels of the others.
+fn missing_shares(root: &Path, manifests: &[PathBuf]) -> Vec<Fault> {
+    let mut parts: Vec<PartFile> = manifests.iter().cloned().filter_map(PartFile::named).collect();
+    parts.sort();
+    let are_all_there_is = !parts.is_empty() && parts.len() == manifests.len();
+    if are_all_there_is { missing_parts(root, &parts) } else { Vec::new() }
 }
 
 /// The first missing file of each level that was to be in place.

@@ -76,7 +76,8 @@ impl PartFile {
         Ok(parts)
     }
 
-    fn named(path: PathBuf) -> Option<Self> {
+    /// The part of a file with the name of one.
+    pub(super) fn named(path: PathBuf) -> Option<Self> {
         let name = path.file_name()?.to_str().filter(|name| is_part_name(name))?;
         let (index, count) = part_numbers(name).filter(|(index, count)| (1..=*count).contains(index))?;
         Some(Self { count, index, path })

@@ -174,7 +174,7 @@ impl Gathered<'_> {
 }
 
 /// Parts that are not there, and parts of several divisions of the work.
-fn missing_parts(folder: &Path, files: &[PartFile]) -> Vec<Fault> {
+pub(super) fn missing_parts(folder: &Path, files: &[PartFile]) -> Vec<Fault> {
     let counts: BTreeSet<u32> = files.iter().map(|file| file.count).collect();
     if counts.len() > 1 {
         let counts: Vec<String> = counts.iter().map(u32::to_string).collect();

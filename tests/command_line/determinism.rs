@@ -174,6 +174,32 @@ fn a_merge_names_the_files_that_are_not_there() {
 }
 
 #[test]
+fn a_merge_says_which_shares_were_never_baked() {
+    let world = World::new();
+    two_plans(&world);
+    world.must(&["bake", "plans", "--out", "shared", "--shard", "1/3"]);
+    let ran = world.run(&["merge", "shared"]);
+    assert_eq!(ran.code, Some(1), "{}", ran.stdout);
+    assert!(ran.stderr.contains("lacks 2 of 3 parts: 2 to 3"), "{}", ran.stderr);
+    // What is known is in the manifest, and the other shares add theirs.
+    world.must(&["bake", "plans", "--out", "shared", "--shard", "2/3"]);
+    world.must(&["bake", "plans", "--out", "shared", "--shard", "3/3"]);
+    world.must(&["bake", "plans", "--out", "whole"]);
+    assert_eq!(world.files("shared"), world.files("whole"));
+}
+
+#[test]
+fn variables_that_say_nothing_or_too_much_are_no_harm() {
+    let world = World::new();
+    two_plans(&world);
+    for (variable, value) in [("ROOMWRIGHT_CACHE", ""), ("RAYON_NUM_THREADS", "99999999")] {
+        let mut command = world.command(&["bake", "plans", "--out", variable, "--list-levels"]);
+        let output = command.env(variable, value).output().unwrap();
+        assert!(output.status.success(), "{variable}: {}", String::from_utf8_lossy(&output.stderr));
+    }
+}
+
+#[test]
 fn processes_side_by_side_do_not_disturb_each_other() {
     let world = World::new();
     two_plans(&world);
