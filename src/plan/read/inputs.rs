@@ -24,14 +24,16 @@ pub(super) struct Input {
     pub(super) is_named: bool,
 }
 
-/// Looks up what paths mean; sorted by path, each file once.
-pub(super) fn find_inputs(paths: &[PathBuf]) -> (Vec<Input>, Faults) {
-    let (mut inputs, mut faults) = (Vec::new(), Faults::default());
+/// What paths mean, and what cannot be looked up of it.
+type Found = (Vec<Input>, Faults);
+
+/// Looks up what paths mean; sorted by path, each file once. A folder that cannot be listed does not hide the others.
+pub(super) fn find_inputs(paths: &[PathBuf]) -> Found {
+    let (mut inputs, mut faults) = Found::default();
     for path in paths {
-        let found = find(path);
-        if let Err(fault) = found.map(|found| inputs.extend(found)) {
-            faults.merge(fault);
-        }
+        let (found, unfound) = find(path);
+        inputs.extend(found);
+        faults.merge(unfound);
     }
     // Named files first, so that dropping repetitions keeps the name.
     inputs.sort_by(|a, b| a.path.cmp(&b.path).then(b.is_named.cmp(&a.is_named)));
@@ -45,55 +47,70 @@ pub(super) fn identity(path: &Path) -> PathBuf {
     path.canonicalize().unwrap_or_else(|_| path.to_owned())
 }
 
-fn find(path: &Path) -> Result<Vec<Input>, Faults> {
+fn find(path: &Path) -> Found {
     if path.is_dir() {
-        let mut inputs = Vec::new();
-        walk(path, 0, &mut inputs)?;
-        if inputs.is_empty() {
-            return Err(nothing::of_path(path));
+        let mut found = Found::default();
+        walk(path, 0, &mut found);
+        let (inputs, faults) = &mut found;
+        if inputs.is_empty() && faults.is_empty() {
+            faults.merge(nothing::of_path(path));
         }
-        return Ok(inputs);
+        return found;
     }
     if path.symlink_metadata().is_err()
         && let Some(pattern) = path.to_str().filter(|path| path.contains(['*', '?', '[']))
     {
         return match_pattern(path, pattern);
     }
-    Ok(vec![Input { path: path.to_owned(), format: foreign(path), is_named: true }])
+    (vec![Input { path: path.to_owned(), format: foreign(path), is_named: true }], Faults::default())
 }
 
-fn match_pattern(path: &Path, pattern: &str) -> Result<Vec<Input>, Faults> {
-    let refuse = |reason: String| Faults::from(Fault::of_file(path, reason));
-    let matches = glob::glob(pattern).map_err(|error| refuse(format!("is no pattern: {}", error.msg)))?;
-    let mut inputs = Vec::new();
-    for found in matches {
-        let found = found.map_err(|error| refuse(format!("cannot be looked up: {error}")))?;
-        if found.is_dir() {
-            walk(&found, 0, &mut inputs)?;
-        } else {
-            let format = foreign(&found);
-            inputs.push(Input { path: found, format, is_named: false });
+fn match_pattern(path: &Path, pattern: &str) -> Found {
+    let fault = |reason: String| Fault::of_file(path, reason);
+    let matches = match glob::glob(pattern) {
+        Ok(matches) => matches,
+        Err(error) => return (Vec::new(), fault(format!("is no pattern: {}", error.msg)).into()),
+    };
+    let mut found = Found::default();
+    for matched in matches {
+        match matched {
+            Ok(folder) if folder.is_dir() => walk(&folder, 0, &mut found),
+            Ok(file) => {
+                let format = foreign(&file);
+                found.0.push(Input { path: file, format, is_named: false });
+            }
+            Err(error) => found.1.push(fault(format!("cannot be looked up: {error}")).with_hint(RIGHTS)),
         }
     }
-    if inputs.is_empty() { Err(refuse("no file matches".to_owned())) } else { Ok(inputs) }
+    if found.0.is_empty() && found.1.is_empty() {
+        found.1.push(fault("no file matches".to_owned()));
+    }
+    found
 }
 
 fn foreign(path: &Path) -> Option<&'static ForeignFormat> {
     FOREIGN_FORMATS.iter().find(|format| (format.recognises)(path))
 }
 
-fn walk(folder: &Path, depth: usize, inputs: &mut Vec<Input>) -> Result<(), Faults> {
+/// Advice where the system lists no folder.
+const RIGHTS: &str = "check the path and the rights of the folder";
+
+fn walk(folder: &Path, depth: usize, found: &mut Found) {
     if let Some(format) = foreign(folder) {
-        inputs.push(Input { path: folder.to_owned(), format: Some(format), is_named: depth == 0 });
-        return Ok(());
+        found.0.push(Input { path: folder.to_owned(), format: Some(format), is_named: depth == 0 });
+        return;
     }
     if depth > FOLDER_DEPTH {
-        return Ok(());
+        return;
     }
-    let unreadable =
-        |error: std::io::Error| Faults::from(Fault::of_file(folder, format!("cannot be listed: {error}")));
-    let entries = std::fs::read_dir(folder).map_err(unreadable)?;
-    let mut entries = entries.collect::<Result<Vec<_>, _>>().map_err(unreadable)?;
+    let listed = std::fs::read_dir(folder).and_then(Iterator::collect::<Result<Vec<_>, _>>);
+    let mut entries = match listed {
+        Ok(entries) => entries,
+        Err(error) => {
+            let fault = Fault::of_file(folder, format!("cannot be listed: {error}"));
+            return found.1.push(fault.with_hint(RIGHTS));
+        }
+    };
     entries.sort_by_key(std::fs::DirEntry::file_name);
     for entry in entries {
         let path = entry.path();
@@ -104,13 +121,12 @@ fn walk(folder: &Path, depth: usize, inputs: &mut Vec<Input>) -> Result<(), Faul
             continue;
         }
         if is_folder {
-            walk(&path, depth + 1, inputs)?;
+            walk(&path, depth + 1, found);
         } else if path.is_file() && (has_native_extension(&path) || foreign(&path).is_some()) {
             let format = foreign(&path);
-            inputs.push(Input { path, format, is_named: false });
+            found.0.push(Input { path, format, is_named: false });
         }
     }
-    Ok(())
 }
 
 fn has_native_extension(path: &Path) -> bool {
@@ -152,6 +168,29 @@ mod tests {
         assert_eq!(names(folder.path(), &["b.yaml", "", "a/../b.yaml"]).len(), 2);
         assert_eq!(names(folder.path(), &["*.yaml"]), ["b.yaml"]);
         assert_eq!(names(folder.path(), &["**/*.json", "*"]), ["a/z.json", "b.yaml"]);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_folder_that_cannot_be_listed_does_not_hide_the_others() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = folder(&["b.yaml", "closed/a.yaml"]);
+        let closed = folder.path().join("closed");
+        let permit = |mode: u32| {
+            std::fs::set_permissions(&closed, std::fs::Permissions::from_mode(mode)).unwrap();
+        };
+        permit(0o000);
+        // Root lists everything.
+        let is_closed = std::fs::read_dir(&closed).is_err();
+        let (inputs, faults) = find_inputs(&[folder.path().to_owned()]);
+        permit(0o700);
+        if is_closed {
+            assert_eq!(inputs.len(), 1);
+            assert!(
+                faults.0[0].message.starts_with("cannot be listed") && faults.0[0].hint.is_some(),
+                "{faults}"
+            );
+        }
     }
 
     #[test]
