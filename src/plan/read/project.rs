@@ -21,6 +21,8 @@ use crate::plan::{
 
 /// Most buildings of a project.
 const BUILDING_LIMIT: u32 = 1_000_000;
+/// Metres from the site's origin to the farthest building: no two places on the earth are farther apart.
+const FARTHEST: f64 = 2e7;
 
 /// A project: plans to bake together.
 #[derive(Clone, Debug, Deserialize, JsonSchema)]
@@ -191,6 +193,13 @@ impl Reading<'_> {
             numbers.iter().find(|(_, values)| !values.iter().all(|value| value.is_finite()))
         {
             self.report.error(&step(path, *key), "is not finite", None);
+            return;
+        }
+        let last = site(plan, count.saturating_sub(1)).position;
+        if Point::from(plan.position).abs().max(last.abs()).max_element() > FARTHEST {
+            let message = "the building stands farther than 20,000 km from the site's origin";
+            let hint = "positions are metres east and north of it".to_owned();
+            self.report.error(&step(path, "position"), message, Some(hint));
             return;
         }
         let has_style = check_style(path, plan.style.as_ref(), self.options.words, &mut self.report);

@@ -75,7 +75,13 @@ fn building_id(file: &PlanFile, report: &mut Report<'_>) -> String {
     let stem = report.source().file().file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let id = file.id.clone().unwrap_or(stem);
     if let Some(message) = id_fault(&id, FILE_NAME_FORBIDDEN) {
-        report.error(&["id".into()], message, Some("it names a folder of the output".to_owned()));
+        let hint = match file.id {
+            Some(_) => "it names a folder of the output",
+            None => {
+                "without an `id`, the plan has that of its file, and it names a folder of the output: rename the file or write `id:`"
+            }
+        };
+        report.error(&["id".into()], message, Some(hint.to_owned()));
     }
     id
 }
