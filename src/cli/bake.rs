@@ -238,6 +238,8 @@ fn scene_options(arguments: &BakeArguments) -> SceneOptions {
 
 /// The folder for textures, models and notes, if there is one.
 pub(super) fn cache_root(typed: Option<PathBuf>) -> Option<PathBuf> {
+    // A variable that is empty says as little as one that is not set.
+    let typed = typed.filter(|root| !root.as_os_str().is_empty());
     typed.or_else(Cache::default_root).filter(|root| root.as_os_str() != "none")
 }
 

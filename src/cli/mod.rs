@@ -52,6 +52,7 @@ use screen::{Screen, is_result_lost};
 pub fn run() -> Outcome {
     crate::batch::collect_panics();
     tell_of_large_files();
+    bound_threads();
     let outcome = run_command();
     if is_result_lost() { outcome.and(Outcome::NotStarted) } else { outcome }
 }
@@ -98,6 +99,18 @@ fn is_about_version(error: &clap::Error) -> bool {
 fn demo() -> Command {
     let typed = Arguments::parse_from(["roomwright", "bake"]);
     typed.command.expect("a command was given")
+}
+
+/// Threads of the largest pool that a command makes, as of `--threads`.
+const MOST_THREADS: usize = 1024;
+
+/// A slip in the variable that sets the threads of a pool by itself must not ask the system for millions of them.
+fn bound_threads() {
+    let asked = std::env::var("RAYON_NUM_THREADS").ok().and_then(|text| text.parse::<usize>().ok());
+    if asked.is_some_and(|threads| threads > MOST_THREADS) {
+        // It fails only where there is a pool already, and then there is nothing to bound.
+        let _ = rayon::ThreadPoolBuilder::new().num_threads(MOST_THREADS).build_global();
+    }
 }
 
 /// A file that may not grow further (`ulimit -f`) is an error of the write; by itself it would kill the process without a word.

@@ -32,8 +32,8 @@ fn invalid_numbers_on_the_command_line() {
         (&["bake", "plans", "--threads", "-1"], &["'-1'", "from 1 to 1024"]),
         (&["bake", "plans", "--door-angle", "45°"], &["'45°'", "from 0 to 180, without a unit"]),
         (&["diff", "a", "b", "--move-tolerance", "14ft"], &["'14ft'", "metres without a unit: write 4.2672"]),
-        (&["diff", "a", "b", "--move-tolerance", "-1"], &["'-1'", "metres, as a number from 0 on"]),
-        (&["diff", "a", "b", "--turn-tolerance", "few"], &["'few'", "degrees, as a number from 0 on"]),
+        (&["diff", "a", "b", "--move-tolerance", "-1"], &["'-1'", "metres, as a number from 0 to 999999"]),
+        (&["diff", "a", "b", "--turn-tolerance", "few"], &["'few'", "degrees, as a number from 0 to 999999"]),
     ] {
         answered(&world, words, 2, expected);
     }

@@ -43,7 +43,7 @@ fn what_cannot_be_walked_is_said() {
         (vec!["--path", "nowhere.yaml"], "nowhere.yaml"),
         (vec!["--random", "0"], "above 0"),
         (vec!["--random", "3", "--path", "a.yaml"], "--path"),
-        (vec!["--speed", "0"], "above 0"),
+        (vec!["--speed", "0"], "from 0.1 on"),
     ] {
         let words: Vec<&str> = ["walk", &house].into_iter().chain(words).collect();
         let output = world.command(&words).output().unwrap();

@@ -6,6 +6,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
 use super::number::whole_number;
+use super::path::path_or_nothing;
 use super::{FurnishArguments, SourceArguments};
 use crate::batch::Shard;
 use crate::output::{Format, OUTPUTS};
@@ -22,7 +23,7 @@ pub(crate) struct RunArguments {
     pub(crate) threads: Option<u16>,
     /// Folder that keeps textures and models between runs, and the places of plans, or `none`. It may be deleted at any time and
     /// does not change the output [default: roomwright/ in the system's folder for caches].
-    #[arg(long, value_name = "DIR|none", env = "ROOMWRIGHT_CACHE", hide_env_values = true)]
+    #[arg(long, value_name = "DIR|none", env = "ROOMWRIGHT_CACHE", hide_env_values = true, value_parser = path_or_nothing())]
     pub(crate) cache: Option<PathBuf>,
     /// Overwrite files that roomwright did not write, or that were changed since.
     #[arg(long)]

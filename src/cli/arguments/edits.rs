@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Subcommand;
 
 use super::number::whole_number;
+use super::path::path_or_nothing;
 
 /// The commands of `edits`. Each adds to the edits file and keeps what it says.
 #[derive(Clone, Debug, Subcommand)]
@@ -21,7 +22,7 @@ pub(crate) enum EditsCommand {
         #[arg(long, value_name = "FILE")]
         edits: Option<PathBuf>,
         /// The --cache folder of the bake, which holds the place of the plan.
-        #[arg(long, value_name = "DIR|none", env = "ROOMWRIGHT_CACHE", hide_env_values = true)]
+        #[arg(long, value_name = "DIR|none", env = "ROOMWRIGHT_CACHE", hide_env_values = true, value_parser = path_or_nothing())]
         cache: Option<PathBuf>,
         /// Further folders of configuration.
         #[arg(long, value_name = "DIR")]
@@ -42,7 +43,7 @@ pub(crate) enum EditsCommand {
         #[arg(long, value_name = "FILE")]
         edits: Option<PathBuf>,
         /// The --cache folder of the bake, which holds the place of the plan.
-        #[arg(long, value_name = "DIR|none", env = "ROOMWRIGHT_CACHE", hide_env_values = true)]
+        #[arg(long, value_name = "DIR|none", env = "ROOMWRIGHT_CACHE", hide_env_values = true, value_parser = path_or_nothing())]
         cache: Option<PathBuf>,
     },
     /// Give a room another seed, for this and all later bakes.

@@ -12,6 +12,7 @@ mod navigation;
 mod number;
 #[cfg(test)]
 mod pages;
+mod path;
 mod plan;
 mod setup;
 mod sources;

@@ -32,6 +32,9 @@ pub(super) fn whole_number<T: TryFrom<u64>>(
     }
 }
 
+/// The largest number of metres or degrees.
+const LARGEST: f64 = 999_999.0;
+
 /// Reads metres, from 0 on.
 pub(super) fn metres(text: &str) -> Result<f64, String> {
     if let Some(metres) = not_negative(text) {
@@ -39,13 +42,14 @@ pub(super) fn metres(text: &str) -> Result<f64, String> {
     }
     match length(text) {
         Some(metres) => Err(format!("lengths are metres without a unit: write {metres}")),
-        None => Err("write metres, as a number from 0 on".to_owned()),
+        None => Err(format!("write metres, as a number from 0 to {LARGEST}")),
     }
 }
 
 /// Reads degrees, from 0 on.
 pub(super) fn degrees(text: &str) -> Result<f64, String> {
-    not_negative(text).ok_or_else(|| format!("write degrees, as a number from 0 on{}", without_unit(text)))
+    not_negative(text)
+        .ok_or_else(|| format!("write degrees, as a number from 0 to {LARGEST}{}", without_unit(text)))
 }
 
 /// Reads finite numbers with commas between them.
@@ -63,7 +67,7 @@ pub(super) fn so_many_numbers<const N: usize>(text: &str) -> Result<[f64; N], St
 }
 
 fn not_negative(text: &str) -> Option<f64> {
-    text.parse().ok().filter(|number| (0.0..1e6).contains(number))
+    text.parse().ok().filter(|number| (0.0..=LARGEST).contains(number))
 }
 
 /// The metres of a length with a unit, to a tenth of a millimetre.
@@ -109,9 +113,16 @@ mod tests {
             let answer = metres(typed).unwrap_err();
             assert_eq!(answer, format!("lengths are metres without a unit: write {converted}"));
         }
-        for wrong in ["-1", "far", "14 parsec", "inf"] {
-            assert_eq!(metres(wrong), Err("write metres, as a number from 0 on".to_owned()), "{wrong}");
+        for wrong in ["-1", "far", "14 parsec", "inf", "1e9"] {
+            assert_eq!(
+                metres(wrong),
+                Err("write metres, as a number from 0 to 999999".to_owned()),
+                "{wrong}"
+            );
         }
-        assert_eq!(degrees("5deg"), Err("write degrees, as a number from 0 on, without a unit".to_owned()));
+        assert_eq!(
+            degrees("5deg"),
+            Err("write degrees, as a number from 0 to 999999, without a unit".to_owned())
+        );
     }
 }

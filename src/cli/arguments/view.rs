@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::number::whole_number;
+use super::path::path_or_nothing;
 use super::{FurnishArguments, SourceArguments, TextureWord};
 
 /// `view`.
@@ -21,7 +22,7 @@ pub(crate) struct ViewArguments {
     #[arg(long, value_enum, default_value = "small")]
     pub(crate) textures: TextureWord,
     /// Folder that keeps textures between runs, or `none` [default: roomwright/ in the system's folder for caches].
-    #[arg(long, value_name = "DIR|none", env = "ROOMWRIGHT_CACHE", hide_env_values = true)]
+    #[arg(long, value_name = "DIR|none", env = "ROOMWRIGHT_CACHE", hide_env_values = true, value_parser = path_or_nothing())]
     pub(crate) cache: Option<PathBuf>,
     /// Print the address, and open no browser.
     #[arg(long)]

@@ -24,7 +24,7 @@ pub(crate) struct WalkArguments {
     #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = whole_number::<u64>(0..=u64::MAX))]
     pub(crate) path_seed: u64,
     /// Metres a second, once for each walk: walking is 1.4, running 4.
-    #[arg(long, value_name = "SPEED,…", value_delimiter = ',', default_values_t = [1.4, 4.0], value_parser = some_metres)]
+    #[arg(long, value_name = "SPEED,…", value_delimiter = ',', default_values_t = [1.4, 4.0], value_parser = speed)]
     pub(crate) speed: Vec<f64>,
     /// Threads that furnish in the background.
     #[arg(long, value_name = "N", default_value_t = 1, allow_negative_numbers = true, value_parser = whole_number::<usize>(1..=256))]
@@ -43,8 +43,30 @@ pub(crate) struct WalkArguments {
     pub(crate) reach: f64,
 }
 
+/// Metres a second of the slowest walk: one that hardly moves looks around for months.
+const SLOWEST: f64 = 0.1;
+
+/// Of something that moves.
+fn speed(text: &str) -> Result<f64, String> {
+    let speed = metres(text)?;
+    if speed >= SLOWEST { Ok(speed) } else { Err(format!("write metres a second, from {SLOWEST} on")) }
+}
+
 /// More than none, and not more than a walk around the earth.
 fn some_metres(text: &str) -> Result<f64, String> {
     let metres = metres(text)?;
     if metres > 0.0 { Ok(metres) } else { Err("write metres above 0".to_owned()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_walk_moves() {
+        assert_eq!((speed("1.4"), speed("0.1")), (Ok(1.4), Ok(0.1)));
+        for wrong in ["0", "0.000001"] {
+            assert_eq!(speed(wrong), Err("write metres a second, from 0.1 on".to_owned()));
+        }
+    }
 }
