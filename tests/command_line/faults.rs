@@ -32,6 +32,18 @@ fn told(text: &str, code: i32, words: &[&str]) {
 }
 
 #[test]
+fn an_id_that_the_name_of_a_file_gives() {
+    let text = plan("a", 1).replace("id: a\n", "");
+    refused("a:b.yaml", &text, &["id \"a:b\" holds the letter ':'", "rename the file or write `id:`"]);
+}
+
+#[test]
+fn a_building_beyond_the_earth() {
+    let project = "version: 1\nproject:\n  plans:\n    - {plan: a.yaml, position: [1e300, 0]}\n";
+    refused("city.yaml", project, &["city.yaml:4:", "farther than 20,000 km", "metres east and north"]);
+}
+
+#[test]
 fn an_unknown_key() {
     let text = plan("a", 1).replace("    height: 3\n", "    heigth: 3\n");
     refused("a.yaml", &text, &["a.yaml:8:5", "heigth", "did you mean \"height\"?"]);
