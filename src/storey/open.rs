@@ -176,17 +176,26 @@ fn best_end(ground: &Ground, end: End<'_>, is_turned: bool) -> Option<(f64, Ring
     ends.reduce(|best, next| if next.0 < best.0 { next } else { best })
 }
 
+/// Metres of width that a room needs.
+fn width_of(typologies: &Typologies, room_type: &str) -> f64 {
+    typologies.rooms.get(room_type).map_or(1.1, |needs| needs.width)
+}
+
+/// Metres of depth of the small rooms at least, of which so many would do for their area: deep enough for the room that needs most,
+/// also at an outer wall that is not quite parallel.
+fn least_depth(end: End<'_>, by_area: f64) -> f64 {
+    let widths = end.services.iter().map(|(room_type, _)| 1.1 * width_of(end.typologies, room_type));
+    let widest = widths.fold(1.6, f64::max);
+    if end.has_stairs { DEPTH.1 } else { by_area.clamp(widest, DEPTH.0.max(widest)) }
+}
+
 /// Small rooms in a row at the top or bottom end, from its left or right on; the cost is the light that they take, and closing the entrance.
 fn at_end(ground: &Ground, end: End<'_>, is_top: bool, is_right: bool) -> Option<(f64, Ring, Vec<Ring>)> {
     let End { services, has_stairs, typologies, .. } = end;
     let (bottom, top) = extent(&ground.ring, Axis::Y);
     let wanted: f64 = services.iter().map(|(_, area)| area).sum();
     let (left, right) = extent(&ground.ring, Axis::X);
-    let width_of = |room_type: &str| typologies.rooms.get(room_type).map_or(1.1, |needs| needs.width);
-    // Deep enough for the room that needs most, also at an outer wall that is not quite parallel.
-    let widest = services.iter().map(|(room_type, _)| 1.1 * width_of(room_type)).fold(1.6, f64::max);
-    let least =
-        if has_stairs { DEPTH.1 } else { (wanted / (right - left)).clamp(widest, DEPTH.0.max(widest)) };
+    let least = least_depth(end, wanted / (right - left));
     let depth = least.max(wanted / (right - left)).min((top - bottom) * 0.5);
     let at = if is_top { top - depth } else { bottom + depth };
     let (below, above) = split(&ground.ring, Axis::Y, at);
@@ -216,7 +225,7 @@ fn at_end(ground: &Ground, end: End<'_>, is_top: bool, is_right: bool) -> Option
         .collect();
     let (small, crumbs) = cut_along(&[row], &places);
     let is_wide = |(ring, (room_type, _)): (&Ring, &(&str, f64))| {
-        !ring.is_empty() && is_as_wide_as(ring, width_of(room_type))
+        !ring.is_empty() && is_as_wide_as(ring, width_of(typologies, room_type))
     };
     if !small.iter().zip(services).all(is_wide) {
         return None;
