@@ -130,11 +130,17 @@ fn alignments<'s>(subject: &'s Subject<'_>) -> impl Iterator<Item = f64> + 's {
     })
 }
 
+/// Share of a squared distance by which another counts as equal.
+const EQUAL_DISTANCE: f64 = 1e-4;
+
 /// Unit vector along the wall that is nearest to a point.
 fn nearest_wall(subject: &Subject<'_>, point: Point) -> Point {
     let apart = |edge: Segment| edge.distance_squared(point);
     let edges = subject.at.room.region.borders();
-    let nearest = edges.map(|edge| (apart(edge), edge)).reduce(|a, b| if b.0 < a.0 { b } else { a });
+    // Of walls at equal distances the first, however the file has rounded them.
+    let is_nearer = |one: f64, other: f64| one < other * (1.0 - EQUAL_DISTANCE);
+    let nearest =
+        edges.map(|edge| (apart(edge), edge)).reduce(|a, b| if is_nearer(b.0, a.0) { b } else { a });
     nearest.map_or(Point::X, |(_, edge)| edge.direction())
 }
 

@@ -89,7 +89,7 @@ impl Scene {
         if kind.is_merge {
             scene.fill();
             let start = Instant::now();
-            assert!(scene.merge().status().unwrap().success());
+            scene.join();
             scene.duration = start.elapsed();
         }
         scene
@@ -147,7 +147,7 @@ impl Scene {
     pub(crate) fn complete(&self) {
         if self.kind.is_merge {
             // Joins what there is; the rest is baked by those that were killed.
-            assert!(self.merge().status().unwrap().success());
+            self.join();
         }
         for share in self.shares() {
             let mut bake = self.bake("out", share, "1");
@@ -195,6 +195,12 @@ impl Scene {
 
     fn merge(&self) -> Command {
         self.world.command(&["merge", "out", "--quiet"])
+    }
+
+    /// Merges what there is. A share that left nothing is reported.
+    fn join(&self) {
+        let code = self.merge().status().unwrap().code();
+        assert!(matches!(code, Some(0 | 1)), "{code:?}");
     }
 
     /// What a merge has to join: the part of one process, and the journal of another that was killed.

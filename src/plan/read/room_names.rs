@@ -46,6 +46,9 @@ impl<'a, P> TypedNames<'a, P> {
     ) -> TypeOfWord {
         let found =
             most_telling(texts.iter().filter_map(|text| type_of_words(self.words, &self.formats, text)));
+        let is_known = |text: &[String]| type_of_words(self.words, &self.formats, text).is_some();
+        // A "Rm 12" that is a "sterilizer" besides: what says more is unknown all the same.
+        let found = found.filter(|found| *found != GENERIC_ROOM_TYPE || is_known(said));
         let said = said.join(" ");
         if let Some(found) = found {
             return TypeOfWord::known(&said, found);
