@@ -62,10 +62,12 @@ pub fn merge(root: &Path) -> Result<MergeReport, OutputFault> {
     let _lock = lock_state(&state)?;
     let runs = find_runs(&state, None)?;
     let manifests = manifest_paths(root)?;
-    if manifests.is_empty() && runs.journals().is_empty() {
+    // Looked up once: those of abandoned runs go as soon as they are joined.
+    let journals = runs.journals();
+    if manifests.is_empty() && journals.is_empty() {
         return Err(nothing_to_join(root));
     }
-    let sources = Sources::read(&manifests, &runs.journals())?;
+    let sources = Sources::read(&manifests, &journals)?;
     let mut contents = sources.contents(false)?;
     contents.settle(root);
     let manifest = root.join(MANIFEST_NAME);
@@ -84,7 +86,7 @@ pub fn merge(root: &Path) -> Result<MergeReport, OutputFault> {
     let mut faults = Faults(std::mem::take(&mut contents.faults).0.into_iter().map(as_error).collect());
     faults.merge(missing);
     // The records of another run may be those of a missing share.
-    if runs.journals().is_empty() {
+    if journals.is_empty() {
         faults.0.extend(missing_shares(root, &manifests));
     }
     faults.0.extend(missing_index(&manifest, &contents));
