@@ -10,6 +10,7 @@
     measure      what a measure is
     measures/    one file a subject
     table        all measures
+    places       whether an empty room has a place for a bed
     variety      how many arrangements the seeds of a room have
     judgement    every measure's answer for every room of a file
     report       verdicts as tables

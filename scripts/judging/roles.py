@@ -40,7 +40,7 @@ OFFICE_CHAIRS = {"office_chair"}
 
 TOILETS = {"toilet"}
 BASINS = {"washbasin", "hand_basin", "vanity", "row_basin"}
-TUBS = {"bathtub", "shower", "small_shower"}
+TUBS = {"bathtub", "sit_bath", "shower", "small_shower"}
 # What is put where a gap is left.
 BINS = {"bin", "basket", "laundry_basket", "stool", "plant", "small_plant"}
 

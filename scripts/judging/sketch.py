@@ -22,7 +22,7 @@ SMALL = 0.12
 # Metres between units that are one block.
 JOINT = 0.01
 # What architects draw, by their words; furniture where a room's drawing has some.
-FIXTURES = {"kitchen": KITCHEN_UNITS, "toilet": TOILETS, "sink": BASINS, "bathtub": {"bathtub"},
+FIXTURES = {"kitchen": KITCHEN_UNITS, "toilet": TOILETS, "sink": BASINS, "bathtub": {"bathtub", "sit_bath"},
             "shower": {"shower", "small_shower"}}
 FURNITURE = {"sofa": SOFAS, "bed": BEDS, "table": TABLES | COFFEE_TABLES, "wardrobe": WARDROBES}
 

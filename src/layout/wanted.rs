@@ -124,7 +124,10 @@ fn steps_down(environment: &Environment<'_>, agent: AgentIndex) -> u32 {
 }
 
 /// What may stand in for an agent, one after the other.
-fn substitutes(environment: &Environment<'_>, agent: AgentIndex) -> impl Iterator<Item = AgentIndex> {
+pub(crate) fn substitutes(
+    environment: &Environment<'_>,
+    agent: AgentIndex,
+) -> impl Iterator<Item = AgentIndex> {
     core::iter::successors(substitute(environment, agent), |&other| substitute(environment, other))
 }
 

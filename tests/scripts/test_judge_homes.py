@@ -168,6 +168,39 @@ def test_a_bed_is_closed_by_a_jog_and_by_its_twin_at_the_wall(tmp_path):
         assert (judge(twins.read(tmp_path)).faults == ()) == is_closed
 
 
+def test_a_bed_is_no_nearer_to_a_leaf_than_it_must_be(tmp_path):
+    """A leaf of 0.9 m swings into a room with a double bed: only where there is another place for it, that is a fault."""
+    def fails(depth: float) -> bool:
+        made = house("bedroom", 2.6, depth).piece("double_bed", 1.8, depth - 1.0, "south", (1.6, 2.0, 0.6))
+        made.opening("d", "door", "door", [("101", 0, 1.0, 1.9)], leaf=((1.0, 0.0), (1.9, 0.0), (1.0, 0.9)))
+        return MEASURES["bed_at_swing"].judge(made.read(tmp_path)).faults != ()
+
+    # Across the room a bed of 1.6 m is clear of the leaf from 0.9 + 0.75 + 1.6 = 3.25 m on.
+    assert not fails(3.2)
+    assert fails(3.3)
+
+
+def test_a_bed_for_one_stands_along_a_wall_where_doors_leave_one(tmp_path):
+    def fails(door: tuple[float, float]) -> bool:
+        made = house("bedroom", 2.5, 3.2).piece("single_bed", 1.2, 1.0, "north", SINGLE[1])
+        made.opening("w", "door", "door", [("101", 3, 0.7, 1.7)]).opening("e", "door", "door", [("101", 1, *door)])
+        return MEASURES["bed_along_wall"].judge(made.opening("n", "door", "door", [("101", 2, 0.8, 1.7)]).read(tmp_path)).faults != ()
+
+    assert fails((0.0, 0.3)), "at the east wall"
+    assert not fails((0.7, 1.7)), "doors in the middles of three walls, and of the fourth 1 m is left"
+
+
+def test_a_row_of_units_that_ends_at_a_jog_loses_no_wall(tmp_path):
+    """A post of 0.2 m beside the row closes its back; one that stands off does not."""
+    def fails(gap: float) -> bool:
+        made = kitchen(*RUN, width=3.5)
+        made.piece("cabinet", 3.0 + gap + 0.05, 0.1, "north", (0.1, 0.2, 2.0))
+        return MEASURES["kitchen_end_gap"].judge(made.read(tmp_path)).faults != ()
+
+    assert fails(0.3)
+    assert not fails(0.02)
+
+
 def test_a_larger_bedroom_with_two_single_beds_is_for_two(tmp_path):
     judge = MEASURES["single_in_larger_bedroom"].judge
     twin = flat("single_bed", "double_bed").piece("single_bed", 3.0, 1.0, "north", (1.0, 2.0, 0.6))

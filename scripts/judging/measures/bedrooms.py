@@ -6,6 +6,7 @@ import shapely
 
 from ..floors import Room
 from ..measure import Answer, Fault, Measure, answer
+from ..places import has_place
 from ..roles import BEDROOMS, BEDS, DOUBLE_BEDS, SINGLE_BEDS, WARDROBES
 
 # Square metres.
@@ -47,7 +48,7 @@ def judge_bed(room: Room) -> Answer | None:
 
 
 def judge_swing(room: Room) -> Answer | None:
-    """Beds against the leaves that swing into their room."""
+    """Beds against the leaves that swing into their room, where the empty room has a place that is clear of them."""
     beds = room.of(BEDS) if room.kind in BEDROOMS else []
     swings = [swing for opening, _ in room.openings(doors=True) for swing in opening.swings
               if swing.intersection(room.region).area > swing.area / 2]
@@ -57,7 +58,7 @@ def judge_swing(room: Room) -> Answer | None:
     for bed in beds:
         metres = min(bed.footprint.distance(swing) for swing in swings)
         nearest = min(nearest, metres)
-        if metres < SWING_REACH - ROUNDING:
+        if metres < SWING_REACH - ROUNDING and has_place(room, bed, SWING_REACH):
             faults.append(Fault(f"{metres:.2f} m from the swing of a door", (bed.id,), metres))
     return answer(faults, nearest)
 

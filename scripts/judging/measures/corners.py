@@ -8,6 +8,7 @@ import shapely
 from ..floors import Room
 from ..measure import Answer, Fault, Measure, answer
 from ..pieces import Piece
+from ..places import has_place
 from ..roles import BATHROOMS, BINS, SINGLE_BEDS, TUBS, TV_STANDS
 from .kitchens import units_of
 
@@ -15,11 +16,15 @@ from .kitchens import units_of
 JOINT = 0.04
 # Metres beside a kitchen unit, or beside a bath in a corner, that are lost: more than a joint, less than another unit is wide.
 UNIT_GAP = (0.03, 0.6)
+# Shares of the depth at which a side is closed by the end of a unit's own wall.
+DEPTHS = (0.02, 0.98)
 BATH_GAP = (0.12, 0.6)
 # Metres from the mattress to the wall: a board, and a hand that tucks in the sheet. A jog of the wall or a piece closes a side
 # of a bed along a quarter of its length, half a metre: who sits up in it leans there, or rolls no farther.
 BED_GAP = 0.1
 BED_SHARE = 0.25
+# Metres that a bed keeps from where leaves swing, as `bed_at_swing` asks.
+FROM_SWINGS = 0.75
 # Metres between the sides of twin beds at most, a way beside each (HUD: 1.07), and by which one is before the other at most.
 TWIN_GAP = 1.2
 TWIN_SHIFT = 0.3
@@ -53,14 +58,20 @@ def sides(room: Room, piece: Piece) -> list[tuple[float, bool]]:
     return sorted(gap(room, piece, name) for name in ("left", "right"))
 
 
+def reaches_end(room: Room, piece: Piece, name: str) -> bool:
+    """Whether a part of a side is closed: before a slanted wall, or beside a jog, a row reaches the end of its own wall."""
+    return any(gap(room, piece, name, share)[0] <= UNIT_GAP[0] for share in DEPTHS)
+
+
 def judge_kitchen_ends(room: Room) -> Answer | None:
     units = units_of(room)
     if not units:
         return None
     faults = []
     for unit in units:
-        for metres, is_wall in sides(room, unit):
-            if is_wall and UNIT_GAP[0] < metres < UNIT_GAP[1]:
+        for name in ("left", "right"):
+            metres, is_wall = gap(room, unit, name)
+            if is_wall and UNIT_GAP[0] < metres < UNIT_GAP[1] and not reaches_end(room, unit, name):
                 faults.append(Fault(f"{metres:.2f} m of wall are lost beside it", (unit.id,), metres))
     return answer(faults, max((fault.measured for fault in faults), default=0.0))
 
@@ -101,12 +112,13 @@ def leaned_on(room: Room, bed: Piece, name: str) -> float:
 
 
 def judge_beds(room: Room) -> Answer | None:
-    """Of twin beds, which stand side by side, one is enough at the wall."""
+    """Of twin beds, which stand side by side, one is enough at the wall. Doors and windows may leave no wall as long as a bed."""
     beds = room.of(SINGLE_BEDS | {"bunk_bed"})
     gaps = {bed.id: min(leaned_on(room, bed, name) for name in ("left", "right")) for bed in beds}
     leaning = [bed for bed in beds if gaps[bed.id] <= BED_GAP]
     free = [bed for bed in beds if not any(bed is other or are_twins(bed, other) for other in leaning)]
-    return closed_at_a_side({bed.id: gaps[bed.id] for bed in free or leaning}, BED_GAP)
+    free = [bed for bed in free if has_place(room, bed, FROM_SWINGS, along_wall=True)]
+    return closed_at_a_side({bed.id: gaps[bed.id] for bed in free or leaning}, BED_GAP) or (answer([]) if beds else None)
 
 
 def are_twins(one: Piece, other: Piece) -> bool:

@@ -3,7 +3,9 @@
 //! One after the other, a bath takes the wall that the toilet needs, and a basin gets what is left, beside the door. Together
 //! they are compared as whole arrangements: all that [`crate::catalog::Class::is_joint`] names are placed in the order of their priority, each
 //! arrangement so far in several ways, and the best arrangements go on (a beam search). Points are those of the usual search,
-//! with the walls that the classes like (docs/fixtures.md). A piece without a place in the best arrangement searches by itself.
+//! with the walls that the classes like (docs/fixtures.md). Where none of the places of a piece is good, what may stand in for it is
+//! compared too: a tub under the window in place of a tray between open sides. A piece without a place in the best arrangement
+//! searches by itself.
 
 mod niche;
 #[cfg(test)]
@@ -15,9 +17,10 @@ use super::at_wall::Spot;
 use super::environment::Environment;
 use super::locked::is_locked;
 use super::place::{AgentIndex, ParentPart, Place};
-use super::rules::{self, Line, Score, free_stretches};
+use super::rules::{self, Line, Score, free_stretches, steps_along};
 use super::seed::{Purpose, RoomKey, Stream};
 use super::suggested::suggestion;
+use super::wanted;
 use crate::catalog::{Along, ClassIndex, ParentName, Side};
 use crate::plan::WallKind;
 
@@ -35,6 +38,9 @@ const MISSED_REQUIRED: f64 = 100.0;
 /// is still free, so that other walls are to be had.
 const SPOILT: f64 = 6.0;
 const TIGHT: f64 = 9.0;
+/// Points lost for a tub or a tray with both sides open, or with a strip of a niche beside it: less than for a window that gets
+/// dark.
+const OUT_OF_PLACE: f64 = 5.0;
 /// Points lost for a smaller size than the one that was drawn: half of what a tight place loses, for it may spare that. From 9 on,
 /// narrow bathrooms keep large fixtures with too little space before them; less, and baths stand less often where architects
 /// have them.
@@ -42,6 +48,8 @@ const SMALLER: f64 = 4.0;
 /// Points for filling a niche: as much as half a tight place loses; the more, the more tubs stand where architects have the
 /// toilet.
 const NICHE: f64 = 4.0;
+/// Points lost for a piece that stands in for another: as much as for a smaller size. More, and trays stay between open sides.
+const STAND_IN: f64 = 4.0;
 
 /// A piece at its place.
 #[derive(Clone, Debug)]
@@ -55,7 +63,7 @@ struct Standing {
 struct Way {
     standing: Standing,
     points: f64,
-    /// Whether somebody has less room than is good because of it, or a window gets dark.
+    /// Whether somebody has less room than is good because of it, a window gets dark, or the piece belongs in a corner and is in none.
     is_poor: bool,
 }
 
@@ -155,16 +163,19 @@ fn go_on(
     stream: &mut Stream,
 ) -> Vec<Arrangement> {
     stand(environment, begun);
-    let drawn = environment.agents[agent].piece.variant;
-    let mut ways = places(environment, agent, stream);
+    let mut ways = ways_in_all_sizes(environment, agent, stream);
     if ways.iter().all(|way| way.is_poor) {
-        ways.extend(smaller_places(environment, agent, stream));
+        for substitute in joint_substitutes(environment, agent) {
+            let mut others = ways_in_all_sizes(environment, substitute, stream);
+            others.retain(|way| !way.is_poor);
+            others.iter_mut().for_each(|way| way.points -= STAND_IN);
+            ways.extend(others);
+        }
     }
-    ways.extend(niche_places(environment, agent, stream));
-    take_size(environment, agent, drawn);
-    for standing in begun.standings.iter().rev() {
-        environment.unsettle(standing.agent);
+    if ways.is_empty() {
+        ways = places_of_smallest(environment, agent, stream);
     }
+    leave(environment, begun);
     if ways.is_empty() {
         let lost = if environment.agents[agent].piece.is_required { MISSED_REQUIRED } else { MISSED };
         return vec![Arrangement { points: begun.points - lost, ..begun.clone() }];
@@ -176,10 +187,39 @@ fn go_on(
     ways.into_iter().map(with).collect()
 }
 
+/// Free places in the drawn size, in smaller ones where none of these is good, and in those that fill niches. The agent keeps its
+/// size.
+fn ways_in_all_sizes(environment: &mut Environment<'_>, agent: AgentIndex, stream: &mut Stream) -> Vec<Way> {
+    let drawn = environment.agents[agent].piece.variant;
+    let mut ways = places(environment, agent, stream);
+    if ways.iter().all(|way| way.is_poor) {
+        ways.extend(smaller_places(environment, agent, stream));
+    }
+    ways.extend(niche_places(environment, agent, stream));
+    take_size(environment, agent, drawn);
+    ways
+}
+
+/// What may stand in for an agent and is placed jointly too, one after the other.
+fn joint_substitutes(environment: &Environment<'_>, agent: AgentIndex) -> Vec<AgentIndex> {
+    let is_joint = |&other: &AgentIndex| environment.class(other).is_joint;
+    wanted::substitutes(environment, agent).filter(is_joint).collect()
+}
+
 fn stand(environment: &mut Environment<'_>, arrangement: &Arrangement) {
     for standing in &arrangement.standings {
         take_size(environment, standing.agent, standing.variant);
         environment.settle(standing.agent, &standing.place);
+    }
+}
+
+/// Undoes [`stand`]: who only stands in for another is not asked for again.
+fn leave(environment: &mut Environment<'_>, arrangement: &Arrangement) {
+    for &Standing { agent, .. } in arrangement.standings.iter().rev() {
+        environment.unsettle(agent);
+        if environment.agents[agent].piece.substitute_for.is_some() {
+            environment.agents[agent].state = State::Unasked;
+        }
     }
 }
 
@@ -228,14 +268,37 @@ fn niche_places(environment: &mut Environment<'_>, agent: AgentIndex, stream: &m
 
 /// The free places of an agent in its present size, with their points.
 fn places(environment: &Environment<'_>, agent: AgentIndex, stream: &mut Stream) -> Vec<Way> {
+    places_at(environment, agent, stream, |line, stream| {
+        let stretches = free_stretches(environment, line, stream);
+        stretches.into_iter().flat_map(|stretch| positions(environment, agent, stretch)).collect()
+    })
+}
+
+/// The same of all steps along the walls, in the smallest size: in a narrow room the way of a door's leaf may reach into all
+/// stretches and leave places in them.
+fn places_of_smallest(environment: &mut Environment<'_>, agent: AgentIndex, stream: &mut Stream) -> Vec<Way> {
+    let drawn = environment.agents[agent].piece.variant;
+    let smallest = sizes_by(environment, agent, area).last().copied().unwrap_or(drawn);
+    take_size(environment, agent, smallest);
+    let ways = places_at(environment, agent, stream, |line, stream| steps_along(environment, line, stream));
+    take_size(environment, agent, drawn);
+    ways
+}
+
+/// The free places of an agent among those that begin where `from` says, in metres along each wall.
+fn places_at(
+    environment: &Environment<'_>,
+    agent: AgentIndex,
+    stream: &mut Stream,
+    from: impl Fn(&Line, &mut Stream) -> Vec<f64>,
+) -> Vec<Way> {
     let (size, variant) = (environment.agents[agent].size, environment.agents[agent].piece.variant);
     let walls = &environment.brief.surroundings.room.walls;
     let mut found = Vec::new();
     for wall in (0..walls.len()).filter(|&wall| walls[wall].kind == WallKind::Solid) {
         let line = Line { agent, size, wall, before_opening: 0.0 };
-        let stretches = free_stretches(environment, &line, stream);
-        let positions = stretches.into_iter().flat_map(|stretch| positions(environment, agent, stretch));
-        let places = positions.map(|from| Spot::standing(wall, from).place(environment, agent));
+        let spots = from(&line, stream).into_iter().map(|from| Spot::standing(wall, from));
+        let places = spots.map(|spot| spot.place(environment, agent));
         for place in places.filter(|place| environment.refusal(agent, place).is_none()) {
             let mut way = way(environment, Standing { agent, variant, place });
             way.points += CHANCE * stream.unit();
@@ -248,8 +311,10 @@ fn places(environment: &Environment<'_>, agent: AgentIndex, stream: &mut Stream)
 /// A free place with its points.
 fn way(environment: &Environment<'_>, standing: Standing) -> Way {
     let Score { value, is_spoilt, is_tight } = rules::score(environment, standing.agent, &standing.place);
-    let lost = if is_spoilt { SPOILT } else { 0.0 } + if is_tight { TIGHT } else { 0.0 };
-    Way { standing, points: value - lost, is_poor: is_spoilt || is_tight }
+    let is_out_of_place = rules::is_out_of_place(environment, standing.agent, &standing.place);
+    let lost = |is_so: bool, points: f64| if is_so { points } else { 0.0 };
+    let lost = lost(is_spoilt, SPOILT) + lost(is_tight, TIGHT) + lost(is_out_of_place, OUT_OF_PLACE);
+    Way { standing, points: value - lost, is_poor: is_spoilt || is_tight || is_out_of_place }
 }
 
 /// Where in a stretch of wall an agent could begin, in metres from the wall's start: at its ends, and with the space that it

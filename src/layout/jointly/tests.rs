@@ -4,7 +4,8 @@ use crate::catalog::{Catalog, Side, load_catalog};
 use crate::geometry::{Point, Solid, direction};
 use crate::layout::tests::{level, run};
 use crate::layout::{
-    FurnishOptions, Furnished, Lock, LockSupport, Parent, Placement, clearance_solids, furnish,
+    Alternative, Counted, FurnishOptions, Furnished, Lock, LockSupport, Parent, Placement, RoomLayout,
+    clearance_solids, furnish,
 };
 use crate::plan::Level;
 
@@ -154,6 +155,41 @@ fn a_shower_fills_a_niche_and_leaves_the_others_their_places() {
         }
     }
     assert!(filled >= 9, "{filled} of 12 fill the niche");
+}
+
+/// A bathroom whose north wall leans, so that no tray fits into a corner there; beside its door there are 0.68 m.
+fn leaning_bathroom() -> Level {
+    let mut level = level(&[(0.0, 0.0), (1.78, 0.0), (1.78, 2.4), (0.0, 2.6)]);
+    let room = &mut level.rooms[0];
+    room.room_type = "bathroom".to_owned();
+    room.walls[0].tags.push("door".to_owned());
+    room.walls[1].tags.push("pipes".to_owned());
+    level
+}
+
+#[test]
+fn where_no_corner_has_room_for_a_tray_a_tub_that_fits_one_stands_in_for_it() {
+    let catalog = load_catalog(&[]).unwrap().value;
+    // What stands with both sides open in the best of some alternatives.
+    let open_sides = |may_stand_in: bool, seed: u64| {
+        let mut catalog = catalog.clone();
+        let programme = &mut catalog.room_types.get_mut("bathroom").unwrap().programme;
+        if !may_stand_in {
+            programme.iter_mut().for_each(|request| request.substitutes.clear());
+        }
+        let (level, options) = (leaning_bathroom(), FurnishOptions::new(seed, "test"));
+        let layout = RoomLayout::new(level.room(0), &catalog, &options);
+        let made = (0..8).map(|number| layout.furnish(&Alternative::numbered(number)));
+        let bathing = |made: &Counted| {
+            let classes = made.furnished.placements.iter().map(|placement| &catalog.classes[placement.class]);
+            classes.filter(|class| class.groups.iter().any(|group| group == "bathing")).count()
+        };
+        let made: Vec<Counted> = made.inspect(|made| assert_eq!(bathing(made), 1, "seed {seed}")).collect();
+        made.iter().map(|made| made.shortcomings.poor_places.open_sides).min().unwrap()
+    };
+    for seed in 0..4 {
+        assert_eq!((open_sides(true, seed), open_sides(false, seed)), (0, 1), "seed {seed}");
+    }
 }
 
 #[test]

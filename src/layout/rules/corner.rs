@@ -24,16 +24,12 @@ pub(super) fn corner_points(environment: &Environment<'_>, agent: AgentIndex, pl
     if corner == 0.0 && half_corner == 0.0 {
         return 0.0;
     }
-    match closed_parts_of_better_side(environment, agent, place) {
+    let closed = |side: f64| closed_parts(environment, agent, place, (side, JOINT));
+    match closed(-1.0).max(closed(1.0)) {
         0 => 0.0,
         parts if parts < SHARES.len() => half_corner,
         _ => corner,
     }
-}
-
-/// Whether neither side of an agent is closed at a place, not even half of one.
-pub(super) fn has_open_sides(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> bool {
-    closed_parts_of_better_side(environment, agent, place) == 0
 }
 
 /// Whether both sides of an agent are closed at a place, one of them at a ledge at most.
@@ -52,11 +48,6 @@ pub(super) fn leaves_rest_of_niche(environment: &Environment<'_>, agent: AgentIn
     let leaves_rest =
         |side: f64| is_closed((-side, JOINT)) && !is_closed((side, LEDGE)) && is_walled((side, USEFUL));
     environment.class(agent).niche_sizes > 0 && [-1.0, 1.0].into_iter().any(leaves_rest)
-}
-
-fn closed_parts_of_better_side(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> usize {
-    let closed = |side: f64| closed_parts(environment, agent, place, (side, JOINT));
-    closed(-1.0).max(closed(1.0))
 }
 
 /// At how many of the [`SHARES`] one side is closed within some metres, by a wall or by what stands there.

@@ -14,10 +14,11 @@ mod wall;
 
 pub(crate) use corner::fills_niche;
 pub use poor_places::PoorPlaces;
+pub(crate) use poor_places::is_out_of_place;
 pub(crate) use relation::{Factor, Measured, Score, measure, meets_needs, score, unmet_need, weigh};
 pub(crate) use swing::distance_to_swings;
 pub(crate) use turn::angle_of_front;
-pub(crate) use wall::{Line, closings, floor_along, free_stretches};
+pub(crate) use wall::{Line, closings, floor_along, free_stretches, steps_along};
 
 use crate::catalog::{Class, ParentRule, Side, Size};
 

@@ -6,7 +6,7 @@ use crate::layout::agent::Rest;
 use crate::layout::environment::Environment;
 use crate::layout::place::{AgentIndex, Place};
 
-use super::corner::{has_open_sides, leaves_rest_of_niche};
+use super::corner::{corner_points, leaves_rest_of_niche};
 use super::swing::clearness;
 
 /// Points of a wish for a corner from which on a piece belongs there: more than one usual wish (weight 1). Smaller: toilets count,
@@ -18,7 +18,8 @@ const BELONGS_IN_CORNER: f64 = 2.0;
 pub struct PoorPlaces {
     /// Those that are nearer to where the leaves of doors swing than they wish, beds above all.
     pub at_swings: usize,
-    /// Tubs, trays and beds for one that belong in a corner and have both sides open.
+    /// Tubs, trays and beds for one that belong in a corner and have both sides open, or closed along a part that is worth nothing to
+    /// them.
     pub open_sides: usize,
     /// Tubs and trays beside which a strip of a niche is left that nothing fits into.
     pub rests_of_niches: usize,
@@ -48,8 +49,14 @@ fn is_at_swing(environment: &Environment<'_>, agent: AgentIndex, place: &Place) 
     swings.any(|wish| clearness(environment, agent, place, wish.distance.0) < 1.0)
 }
 
+/// Whether an agent belongs in a corner and has both sides open at a place, or leaves a strip of a niche there.
+pub(crate) fn is_out_of_place(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> bool {
+    is_open(environment, agent, place) || leaves_rest_of_niche(environment, agent, place)
+}
+
 fn is_open(environment: &Environment<'_>, agent: AgentIndex, place: &Place) -> bool {
-    environment.class(agent).walls.corner >= BELONGS_IN_CORNER && has_open_sides(environment, agent, place)
+    environment.class(agent).walls.corner >= BELONGS_IN_CORNER
+        && corner_points(environment, agent, place) == 0.0
 }
 
 #[cfg(test)]

@@ -56,10 +56,29 @@ pub(crate) fn free_stretches(
     line: &Line,
     stream: &mut Stream,
 ) -> Vec<(f64, f64)> {
+    on_strip(environment, line, stream, |strip| {
+        let free = strip.free_stretches();
+        free.as_slice().iter().map(|&(from, to)| (from - strip.half, to + strip.half)).collect()
+    })
+}
+
+/// Where along a wall something could begin, at even steps between its openings, in metres from the wall's start. What is free is
+/// asked of each: the free stretches leave out the whole width of what only reaches into them.
+pub(crate) fn steps_along(environment: &Environment<'_>, line: &Line, stream: &mut Stream) -> Vec<f64> {
+    on_strip(environment, line, stream, |strip| strip.steps().map(|at| at - strip.half).collect())
+}
+
+/// What is to be known of the strip along a wall; nothing for a class that does not stand at walls.
+fn on_strip<T: Default>(
+    environment: &Environment<'_>,
+    line: &Line,
+    stream: &mut Stream,
+    answer: impl FnOnce(&Strip<'_>) -> T,
+) -> T {
     let Line { agent, size, wall, before_opening } = *line;
     let class = environment.class(agent);
     let Some(rule) = class.parents.iter().find(|rule| rule.parent == ParentName::Wall) else {
-        return Vec::new();
+        return T::default();
     };
     // Copied where it is shifted only: most lines are those of walls.
     let shifted =
@@ -67,10 +86,9 @@ pub(crate) fn free_stretches(
     let rule = shifted.as_ref().unwrap_or(rule);
     let view =
         View { environment, agent, class, size, rule, parent: ParentPart::Wall(wall), side: Side::Front };
-    let Some(mut strip) = Strip::new(&view, wall, stream) else { return Vec::new() };
+    let Some(mut strip) = Strip::new(&view, wall, stream) else { return T::default() };
     strip.is_before_opening = before_opening > 0.0;
-    let free = strip.free_stretches();
-    free.as_slice().iter().map(|&(from, to)| (from - strip.half, to + strip.half)).collect()
+    answer(&strip)
 }
 
 /// The floor along a wall, its middle so many metres before it; `half` of it along the wall and across.
@@ -108,17 +126,10 @@ pub(crate) fn closings(environment: &Environment<'_>, line: &Line) -> Vec<(f64, 
     closings
 }
 
-/// Poses all along a wall, in a fixed order. What is free is asked of each: the free stretches leave out the whole
-/// width of what only reaches into them.
+/// Poses all along a wall, in a fixed order, as [`steps_along`].
 pub(super) fn scan(view: &View<'_>, wall: usize, stream: &mut Stream, poses: &mut Vec<Pose>) {
     let Some(strip) = Strip::new(view, wall, stream) else { return };
-    let mut free = Intervals::new(strip.half, strip.wall.length() - strip.half);
-    strip.block_openings(&mut free);
-    for &(from, to) in free.as_slice() {
-        let steps = ((to - from) / view.environment.brief.surroundings.wall_step).ceil();
-        let at = |step: u32| from + (to - from) * f64::from(step) / steps.max(1.0);
-        poses.extend((0..=steps as u32).map(|step| strip.pose(at(step))));
-    }
+    poses.extend(strip.steps().map(|at| strip.pose(at)));
 }
 
 /// The position in the free stretches that is nearest to another.
@@ -189,6 +200,18 @@ struct Strip<'a> {
 }
 
 impl<'a> Strip<'a> {
+    /// Positions of its middle at even steps between the openings of its wall, in metres from the wall's start.
+    fn steps(&self) -> impl Iterator<Item = f64> {
+        let mut free = Intervals::new(self.half, self.wall.length() - self.half);
+        self.block_openings(&mut free);
+        let wall_step = self.view.environment.brief.surroundings.wall_step;
+        let stretches = free.as_slice().to_vec();
+        stretches.into_iter().flat_map(move |(from, to)| {
+            let steps = ((to - from) / wall_step).ceil();
+            (0..=steps as u32).map(move |step| from + (to - from) * f64::from(step) / steps.max(1.0))
+        })
+    }
+
     /// The strip for an agent at a wall; `None` where it would hang over a railing.
     fn new(view: &'a View<'a>, index: usize, stream: &mut Stream) -> Option<Self> {
         let wall = &view.environment.brief.surroundings.room.walls[index];
