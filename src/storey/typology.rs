@@ -139,6 +139,9 @@ pub struct Typology {
     /// Room type that takes the place of flats on the ground floor, such as a shop.
     #[serde(default)]
     pub street_level: Option<String>,
+    /// Room type of the room that people come into on the ground floor, along corridors: it takes the place of a room of the main type.
+    #[serde(default)]
+    pub entrance: Option<String>,
     /// Share of buildings whose dwellings above the ground floor have balconies where there is open air for them.
     #[serde(default)]
     pub balconies: f64,
