@@ -33,6 +33,9 @@ use super::windows::{Taken, Window, windows};
 const TRIES: usize = 3;
 /// Metres of the largest disc below which nobody can stand in a building.
 const NARROWEST: f64 = 0.86;
+/// Square metres of a part of the simplest open storeys at most: fire compartments are 40 by 40 m (German model code,
+/// § 30).
+const LARGEST_HALL: f64 = 1600.0;
 /// Metres of the outer walls of the smallest sheds.
 const THINNEST_WALL: f64 = 0.02;
 
@@ -242,6 +245,7 @@ fn simplest(sketch: Sketch<'_>) -> (Vec<Storey>, u32) {
     let mut open = brief.typology.clone();
     open.main = Some("generic".to_owned());
     open.services.clear();
+    open.compartment = Some(open.compartment.unwrap_or(LARGEST_HALL).min(LARGEST_HALL));
     let plain = Brief { typology: &open, ..brief.clone() };
     let sketch = Sketch { brief: &plain, ..sketch };
     // A ground floor, and one plan for all storeys above it.

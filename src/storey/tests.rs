@@ -154,6 +154,15 @@ fn a_hotel_is_entered_through_a_lobby() {
 }
 
 #[test]
+fn large_open_storeys_are_parted_into_compartments() {
+    let museum = alone(rectangle(0.0, 0.0, 80.0, 60.0), 1.0, "museum");
+    let parts = rooms_of(&museum, 0, "exhibition");
+    assert!(parts.len() >= 3, "{:?}", museum.report);
+    let largest = parts.iter().map(|room| area(&room.outline)).fold(0.0, f64::max);
+    assert!(largest < 1.25 * 1600.0, "{largest}");
+}
+
+#[test]
 fn small_rooms_of_deep_rows_are_no_tubes() {
     let offices = alone(rectangle(0.0, 0.0, 36.0, 16.0), 2.0, "office");
     let restrooms = rooms_of(&offices, 0, "restroom");
