@@ -13,12 +13,13 @@ use super::check::first_fault;
 use super::corridor::corridors;
 use super::draft::level_draft;
 use super::dwelling::Cell;
+use super::entrance_room::with_entrance_room;
 use super::entries::links_of_ground;
 use super::facade::Neighbourhood;
 use super::faces::Partition;
 use super::flats::flats;
 use super::footprint::{Footprint, Site};
-use super::house::house;
+use super::house::{house, outer_ports};
 use super::links::{Link, Links, link};
 use super::open::{WAYS, one_room, open_plan, within_limits};
 use super::plate::Outline;
@@ -32,6 +33,9 @@ use super::windows::{Taken, Window, windows};
 const TRIES: usize = 3;
 /// Metres of the largest disc below which nobody can stand in a building.
 const NARROWEST: f64 = 0.86;
+/// Square metres of a part of the simplest open storeys at most: fire compartments are 40 by 40 m (German model code,
+/// § 30).
+const LARGEST_HALL: f64 = 1600.0;
 /// Metres of the outer walls of the smallest sheds.
 const THINNEST_WALL: f64 = 0.02;
 
@@ -184,16 +188,30 @@ fn storeys(
         let ground = street_level(&levels[0], &grounds[0], other);
         levels.insert(0, ground.ok_or("no flat of the ground floor lies at the open air")?);
     }
+    levels.splice(0..0, entrance_floor(sketch, &levels[0]));
     for cells in &mut levels {
         // Stairs of a house stand beside other rooms on each level.
         trade_thin_parts(cells, Rules { typologies, fixed: is_house.then_some("stairs") });
     }
-    let mut found = vec![storey(sketch, levels[0].clone(), true, &mut stream).sound()?];
+    // Where the ground floor with another room at the way in is not sound, it is as those above.
+    let mut ground = storey(sketch, levels[0].clone(), true, &mut stream);
+    if ground.fault.is_some() && brief.typology.entrance.is_some() && levels.len() > 1 {
+        ground = storey(sketch, levels[1].clone(), true, &mut stream);
+    }
+    let mut found = vec![ground.sound()?];
     if brief.storeys > 1 {
         let upper = storey(sketch, levels.swap_remove(levels.len() - 1), false, &mut stream).sound()?;
         found.extend(vec![upper; brief.storeys as usize - 1]);
     }
     Ok(found)
+}
+
+/// The ground floor with the room that people come into, where the kind has one.
+fn entrance_floor(sketch: Sketch<'_>, cells: &[Cell]) -> Option<Vec<Cell>> {
+    let Sketch { grounds, brief, typologies } = sketch;
+    let wanted = typologies.rooms.get_key_value(brief.typology.entrance.as_ref()?)?;
+    let ports = grounds.iter().flat_map(outer_ports);
+    ports.into_iter().find_map(|port| with_entrance_room(cells, port, brief.typology, wanted))
 }
 
 /// A level with its doors and windows.
@@ -227,6 +245,7 @@ fn simplest(sketch: Sketch<'_>) -> (Vec<Storey>, u32) {
     let mut open = brief.typology.clone();
     open.main = Some("generic".to_owned());
     open.services.clear();
+    open.compartment = Some(open.compartment.unwrap_or(LARGEST_HALL).min(LARGEST_HALL));
     let plain = Brief { typology: &open, ..brief.clone() };
     let sketch = Sketch { brief: &plain, ..sketch };
     // A ground floor, and one plan for all storeys above it.

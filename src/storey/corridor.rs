@@ -50,6 +50,11 @@ const DEEPEST_ROOMS: f64 = 7.0;
 const LEAST_ROW: f64 = 1.7;
 /// Depth of a bath at the corridor, and its width.
 const BATH: (f64, f64) = (2.1, 1.75);
+/// How many times as deep as wide a small room of a row is at most, where the row has place for it, and how many times as large as
+/// asked for it becomes so: cubicles stand beside each other, shelves on both sides of the way between them.
+const SLENDEREST: f64 = 3.0;
+/// See [`SLENDEREST`].
+const MOST_SERVICE: f64 = 2.5;
 /// Metres by which a corridor is moved aside where it has no place, in this order.
 const ASIDE: [f64; 7] = [0.0, 1.2, -1.2, 2.4, -2.4, 3.6, -3.6];
 /// Metres of the half of a way in.
@@ -394,7 +399,9 @@ fn row_cells(
     let mut used = 0.0;
     while let Some(&(room_type, wanted)) = task.services.first() {
         let needs = task.typologies.rooms.get(room_type)?;
-        let width = (wanted / row.depth()).max(needs.width + 0.2);
+        let least = (wanted / row.depth()).max(needs.width + 0.2);
+        let good = (row.depth() / SLENDEREST).min(MOST_SERVICE * wanted / row.depth()).max(least);
+        let width = if used + good > most || left - good < 0.0 { least } else { good };
         if used + width > most || left - width < 0.0 {
             break;
         }

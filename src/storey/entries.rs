@@ -58,7 +58,6 @@ fn door_of_the_far(
     }
     let is_new = entries.iter().all(|entry| entry.room != room);
     let own = if is_new && partition.is_public(room) { free_wall(ground, partition, room) } else { None };
-    let doors: Vec<Point> = entries.iter().map(|entry| entry.port.at).collect();
     let before = links.links.iter().filter_map(|link| match link.rooms {
         (one, Some(other)) if other == room => Some(one),
         (one, other) if one == room => other,
@@ -67,6 +66,9 @@ fn door_of_the_far(
     own.or_else(|| {
         before.filter(|&before| partition.is_public(before)).find_map(|before| {
             let places = door_places(ground, partition, before);
+            // What is near through a wall is no way out.
+            let own = entries.iter().filter(|entry| entry.room == before);
+            let doors: Vec<Point> = own.map(|entry| entry.port.at).collect();
             let (gap, port) = farthest_from(&doors, &places)?;
             (gap > PLACES_APART).then_some(Entry { room: before, port })
         })

@@ -117,9 +117,40 @@ pub(super) fn link(
             found.links.extend(way.map(|(to, border)| inner_door(cells, (room, to), border, &found.links)));
         }
     }
+    join_corridors(level, &mut found.links);
     found.unreached =
         (0..cells.len()).filter(|&room| !is_reached[room] && cells[room].room_type != "shaft").collect();
     found
+}
+
+/// Corridors that meet are one, though each has stairs or a way in of its own: rooms whose doors lead to others of their type before
+/// all else are open to each other, where no door inside leads from one to the other yet.
+fn join_corridors(level: Level<'_>, links: &mut Vec<Link>) {
+    let Level { cells, typologies, borders, .. } = level;
+    let is_corridor = |room: usize| {
+        let needs = typologies.rooms.get(&cells[room].room_type);
+        needs.is_some_and(|needs| needs.passage && needs.doors.first() == Some(&cells[room].room_type))
+    };
+    // By room: a number that all rooms share between which one can walk indoors.
+    let mut parts: Vec<usize> = (0..cells.len()).collect();
+    let unite = |parts: &mut [usize], one: usize, other: usize| {
+        let (from, to) = (parts[one], parts[other]);
+        parts.iter_mut().filter(|part| **part == from).for_each(|part| *part = to);
+    };
+    for link in links.iter() {
+        if let (one, Some(other)) = link.rooms {
+            unite(&mut parts, one, other);
+        }
+    }
+    for room in (0..cells.len()).filter(|&room| is_corridor(room)) {
+        for &(to, border) in &borders[room] {
+            let is_alike = cells[to].room_type == cells[room].room_type && cells[to].unit == cells[room].unit;
+            if is_alike && parts[to] != parts[room] {
+                links.push(inner_door(cells, (room, to), border, links));
+                unite(&mut parts, room, to);
+            }
+        }
+    }
 }
 
 /// The room behind a way in.

@@ -1,7 +1,7 @@
 //! Plans storeys inside the outlines of buildings: footprint → rooms, doors and windows as a [`crate::plan::BuildingDraft`].
 //!
 //! ```text
-//! site ─▶ outline, facade ─▶ brief ─▶ grounds ─▶ house | flats | corridor | open ─▶ thin parts traded, street level
+//! site ─▶ outline, facade ─▶ brief ─▶ grounds ─▶ house | flats | corridor | open ─▶ street level, entrance room, thin parts traded
 //!      ─▶ faces ─▶ links, entries ─▶ balconies ─▶ windows ─▶ check, egress ─▶ draft
 //! ```
 //!
@@ -21,6 +21,7 @@ mod disc;
 mod draft;
 mod dwelling;
 mod egress;
+mod entrance_room;
 mod entries;
 mod facade;
 mod faces;

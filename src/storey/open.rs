@@ -7,7 +7,7 @@ use super::disc::is_as_wide_as;
 use super::dwelling::Cell;
 use super::flats::sections;
 use super::links::LEAST_BORDER;
-use super::ring::{Axis, Ring, along, area, bounds, join, on_grid, shared_length, split};
+use super::ring::{Axis, Ring, along, area, bounds, join, on_grid, shared_length, split, total_length};
 use super::spine::{Ground, cut_along, extent, settle, turned_ring_back};
 use super::thin::leave_thin_parts;
 use super::typology::Typologies;
@@ -71,8 +71,15 @@ pub(super) fn open_plan(
             cells.push(Cell::shared(ground.ring.clone(), main));
             continue;
         }
-        let count = way.parts(area(&ground.ring), has_stairs);
-        for (part, ring) in sections(ground, ground.ring.clone(), count).into_iter().enumerate() {
+        // The last attempt does without: where a part in the middle has no way out, a larger one has.
+        let most = brief.typology.compartment.filter(|_| attempt < 2).unwrap_or(f64::INFINITY);
+        let compartments = (area(&ground.ring) / most).ceil() as usize;
+        let count = way.parts(area(&ground.ring), has_stairs).max(compartments);
+        let mut parts = sections(ground, ground.ring.clone(), count);
+        if !has_stairs {
+            lightest_first(ground, &mut parts);
+        }
+        for (part, ring) in parts.into_iter().enumerate() {
             let is_first = index == 0 && part == 0;
             let services = if is_first { all.clone() } else { all[..usize::from(has_stairs)].to_vec() };
             let whole = || vec![Cell::shared(ring.clone(), main)];
@@ -87,6 +94,15 @@ pub(super) fn open_plan(
         }
     }
     Some(cells)
+}
+
+/// The small rooms are in the first part: one with much outer wall has ways out near them.
+fn lightest_first(ground: &Ground, parts: &mut [Ring]) {
+    let light = |ring: &Ring| total_length(&ground.light(ring));
+    let lights = parts.iter().map(light).enumerate();
+    if let Some((best, _)) = lights.reduce(|a, b| if b.1 > a.1 { b } else { a }) {
+        parts[..=best].rotate_right(1);
+    }
 }
 
 /// What is wanted at an end of a large room.

@@ -119,6 +119,61 @@ fn corridors_of_wings_meet() {
 }
 
 #[test]
+fn corridors_that_meet_are_joined_though_each_has_stairs() {
+    let school = alone(
+        region(&[(0.0, 0.0), (50.0, 0.0), (50.0, 14.0), (12.0, 14.0), (12.0, 45.0), (0.0, 45.0)]),
+        2.0,
+        "school",
+    );
+    for (number, level) in school.draft.levels.iter().enumerate() {
+        let corridors: Vec<&str> =
+            rooms_of(&school, number, "walkway").iter().map(|room| room.id.as_str()).collect();
+        assert_eq!(corridors.len(), 2, "one in each wing");
+        let joins = |opening: &&crate::plan::OpeningDraft| {
+            opening.rooms.len() == 2 && opening.rooms.iter().all(|room| corridors.contains(&room.as_str()))
+        };
+        assert_eq!(level.openings.iter().filter(joins).count(), 1, "level {number}");
+    }
+}
+
+#[test]
+fn a_hotel_is_entered_through_a_lobby() {
+    let hotel = alone(rectangle(0.0, 0.0, 30.0, 14.0), 3.0, "hotel");
+    assert_eq!((hotel.report.typology.as_str(), hotel.report.rung), ("hotel", 0), "{:?}", hotel.report);
+    let lobbies = |level: usize| rooms_of(&hotel, level, "lobby");
+    assert_eq!([lobbies(0).len(), lobbies(1).len()], [1, 0]);
+    let ground = &hotel.draft.levels[0];
+    let lobby = &lobbies(0)[0].id;
+    let is_way_in = |opening: &&crate::plan::OpeningDraft| {
+        opening.kind == OpeningKind::Door && opening.rooms == [lobby.clone()]
+    };
+    assert!(ground.openings.iter().any(|opening| is_way_in(&opening)), "people come in there");
+    let leads_on =
+        |opening: &crate::plan::OpeningDraft| opening.rooms.len() == 2 && opening.rooms.contains(lobby);
+    assert!(ground.openings.iter().any(leads_on), "and go on to the corridor");
+}
+
+#[test]
+fn large_open_storeys_are_parted_into_compartments() {
+    let museum = alone(rectangle(0.0, 0.0, 80.0, 60.0), 1.0, "museum");
+    let parts = rooms_of(&museum, 0, "exhibition");
+    assert!(parts.len() >= 3, "{:?}", museum.report);
+    let largest = parts.iter().map(|room| area(&room.outline)).fold(0.0, f64::max);
+    assert!(largest < 1.25 * 1600.0, "{largest}");
+}
+
+#[test]
+fn small_rooms_of_deep_rows_are_no_tubes() {
+    let offices = alone(rectangle(0.0, 0.0, 36.0, 16.0), 2.0, "office");
+    let restrooms = rooms_of(&offices, 0, "restroom");
+    assert!(!restrooms.is_empty(), "{:?}", offices.report);
+    for room in restrooms {
+        let size = ring::bounds(&room.outline).size();
+        assert!(size.max_element() < 3.5 * size.min_element(), "{size:?}");
+    }
+}
+
+#[test]
 fn rooms_cover_the_floor_of_every_shape() {
     let circle: Vec<(f64, f64)> =
         (0..40).map(|step| direction(f64::from(step) * 0.157) * 14.0).map(|at| (at.x, at.y)).collect();

@@ -136,9 +136,15 @@ pub struct Typology {
     /// Room type of the rooms that fill it: the one room, the large one, or those along a corridor.
     #[serde(default)]
     pub main: Option<String>,
+    /// Square metres of a part of an open storey at most, such as a fire compartment; larger ones are parted by walls.
+    #[serde(default)]
+    pub compartment: Option<f64>,
     /// Room type that takes the place of flats on the ground floor, such as a shop.
     #[serde(default)]
     pub street_level: Option<String>,
+    /// Room type of the room that people come into on the ground floor, along corridors: it takes the place of a room of the main type.
+    #[serde(default)]
+    pub entrance: Option<String>,
     /// Share of buildings whose dwellings above the ground floor have balconies where there is open air for them.
     #[serde(default)]
     pub balconies: f64,

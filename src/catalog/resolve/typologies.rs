@@ -70,6 +70,7 @@ fn check(
         {
             name.iter().for_each(|name| known(&spot.key(key), "room type", name, rooms));
         }
+        kind.entrance.iter().for_each(|room| known(&spot.key("entrance"), "room of `rooms`", room, &planned));
         for (key, list) in [("others", &kind.others), ("services", &kind.services)] {
             list.keys().for_each(|room| known(&spot.key(key).key(room), "room of `rooms`", room, &planned));
         }

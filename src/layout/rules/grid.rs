@@ -24,6 +24,9 @@ use super::turn::{self, Bearing};
 const FARTHEST_ROW: f64 = 1.5;
 /// Blocks that are tried until one has a place over the floor for every lamp: the last has three times as many as there are lamps.
 const MOST_BLOCKS: usize = 18;
+/// Shares of its intervals at which a lattice of lamps is tried, until every lamp has a place of it over the floor: at the full ones the
+/// box of a room with a corner cut off may have no more places than it has lamps.
+const CLOSER: [f64; 4] = [1.0, 0.88, 0.78, 0.68];
 
 /// Poses on the lattice of the agent's class, starting with the first that no neighbour holds.
 pub(super) fn propose(view: &View<'_>, grid: &Grid, key: &RoomKey, poses: &mut Vec<Pose>) {
@@ -90,10 +93,13 @@ impl Lattice {
         let members = members(view, grid);
         let half = half_of_place(view, grid);
         let wanted = wanted(view).div_ceil(members.len());
-        let mut lay = |wanted| Block::new(view, grid, bounds, wanted, &mut stream);
+        let mut lay = |wanted, closer| {
+            let grid = Grid { interval: grid.interval * closer, ..*grid };
+            Block::new(view, &grid, bounds, wanted, &mut stream)
+        };
         let (block, axes) = match view.parent {
             ParentPart::Ceiling => over_floor(wanted, lay, |place| is_over_floor(view, &frame, place, half)),
-            _ => lay(wanted),
+            _ => lay(wanted, 1.0),
         };
         let middles = Bounds::new(bounds.low + half, bounds.high - half);
         Self { frame, angle, axes, members, block, middles }
@@ -237,25 +243,30 @@ impl Block {
     }
 }
 
-/// The block of which as many places as wanted are over the floor: the box of a room with wings has others, too.
+/// The block of which as many places as wanted are over the floor: the box of a room with wings has others, too. Where no block has
+/// so many at any interval, the first.
 fn over_floor(
     wanted: usize,
-    mut lay: impl FnMut(usize) -> (Block, [Axis; 2]),
+    mut lay: impl FnMut(usize, f64) -> (Block, [Axis; 2]),
     is_over_floor: impl Fn(Point) -> bool,
 ) -> (Block, [Axis; 2]) {
-    let mut asked = wanted;
-    let (mut block, mut axes) = lay(asked);
-    for _ in 0..MOST_BLOCKS {
-        let places = (0..block.len()).map(|index| block.place(&axes, index));
-        let lacking = wanted.saturating_sub(places.filter(|&place| is_over_floor(place)).count());
-        if lacking == 0 {
-            break;
+    for closer in CLOSER {
+        let mut asked = wanted;
+        for _ in 0..MOST_BLOCKS {
+            let (block, axes) = lay(asked, closer);
+            let places = (0..block.len()).map(|index| block.place(&axes, index));
+            let lacking = wanted.saturating_sub(places.filter(|&place| is_over_floor(place)).count());
+            if lacking == 0 {
+                return (block, axes);
+            }
+            if block.len() < asked {
+                break;
+            }
+            // Small steps: what is over the floor beyond those wanted stays dark.
+            asked += lacking.max(asked / 16);
         }
-        // Small steps: what is over the floor beyond those wanted stays dark.
-        asked += lacking.max(asked / 16);
-        (block, axes) = lay(asked);
     }
-    (block, axes)
+    lay(wanted, CLOSER[0])
 }
 
 /// Whether what takes a place, half of it from the middle, has floor under its corners.
@@ -327,6 +338,31 @@ mod tests {
             };
             let least = placements.iter().map(nearest).fold(f64::INFINITY, f64::min);
             assert!(least >= 2.0, "{count} lamps, two of them {least} m apart");
+        }
+    }
+
+    #[test]
+    fn lamps_hang_closer_where_a_cut_off_corner_leaves_too_few_places() {
+        // Five by five places in the box; the small rooms at its lower side take five of them.
+        let level = level(&[
+            (0.0, 2.2),
+            (2.0, 2.2),
+            (2.0, 0.0),
+            (11.0, 0.0),
+            (11.0, 2.2),
+            (11.4, 2.2),
+            (11.4, 11.0),
+            (0.0, 11.0),
+        ]);
+        for count in [18, 22, 25] {
+            let lamps = catalog(&[(LIGHT, Count::Fixed(count))], Untidiness::default());
+            let placements = run(&level, &lamps, 1).placements;
+            assert_eq!(placements.len(), count as usize);
+            let gaps = placements.iter().enumerate().flat_map(|(number, one)| {
+                placements[..number].iter().map(|other| other.position.distance(one.position))
+            });
+            let least = gaps.fold(f64::INFINITY, f64::min);
+            assert!(least >= 1.5, "{count} lamps, two of them {least} m apart");
         }
     }
 

@@ -26,6 +26,7 @@ mod countertop;
 mod cubicle;
 mod desk_lamps;
 mod dispenser;
+mod exhibition_wall;
 mod fire_extinguisher;
 mod football_table;
 mod fridges;
@@ -54,6 +55,7 @@ mod queue_barrier;
 mod radiators;
 mod rugs;
 mod screens;
+mod sculpture;
 mod seating;
 mod server_rack;
 mod shelving;
@@ -124,6 +126,7 @@ pub(super) static RECIPES: &[&Recipe] = &[
     &carts::DRIP_STAND,
     &gym::DUMBBELL_RACK,
     &gym::EXERCISE_BENCH,
+    &exhibition_wall::EXHIBITION_WALL,
     &storage::FILING_CABINET,
     &fire_extinguisher::FIRE_EXTINGUISHER,
     &lamps::FLOOR_LAMP,
@@ -132,6 +135,7 @@ pub(super) static RECIPES: &[&Recipe] = &[
     &apparatus::FUME_CUPBOARD,
     &seating::GARDEN_CHAIR,
     &tableware::GLASS,
+    &gym::GOAL,
     &shelving::GONDOLA,
     &ovens::HOOD,
     &hook_board::HOOK_BOARD,
@@ -173,6 +177,7 @@ pub(super) static RECIPES: &[&Recipe] = &[
     &tables::ROUND_TABLE,
     &rugs::RUG,
     &seating::SCHOOL_CHAIR,
+    &sculpture::SCULPTURE,
     &server_rack::SERVER_RACK,
     &carts::SERVING_TROLLEY,
     &shelving::SHELF,
@@ -207,6 +212,7 @@ pub(super) static RECIPES: &[&Recipe] = &[
     &basins::VANITY,
     &plants::VASE,
     &appliances::VENDING_MACHINE,
+    &gym::WALL_BARS,
     &storage::WALL_CABINET,
     &wall_lamps::WALL_LAMP,
     &storage::WARDROBE,
