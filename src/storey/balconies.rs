@@ -28,6 +28,8 @@ const WIDTH: (f64, f64) = (2.8, 4.2);
 const BESIDE: f64 = 0.2;
 /// Metres of the sliding door that leads to it, the least, and of wall beside it.
 const DOOR: (f64, f64) = (1.5, 0.3);
+/// Share of the balcony before the door at most: people sit before the rest.
+const DOOR_SHARE: f64 = 0.45;
 /// Metres to other balconies and to walls that stand out.
 const FREE: f64 = 1.0;
 /// Square metres of rooms from which on a dwelling has another before its largest bedroom.
@@ -89,7 +91,7 @@ fn balcony(piece: Segment, wall: f64, (room, number): (usize, usize), partition:
     let width = (piece.length() - 2.0 * BESIDE).min(WIDTH.1);
     // The door is the window too.
     let wanted = area(&partition.cells[room].ring) / FLOOR_OF_GLASS / DOOR_HEAD;
-    let door = wanted.clamp(DOOR.0, (width - 2.0 * DOOR.1).max(DOOR.0));
+    let door = wanted.clamp(DOOR.0, DOOR.0.max(DOOR_SHARE * width));
     let corner = |from: f64, depth: f64| on_grid(piece.start + along * from + out * depth);
     let (from, to) = (BESIDE, BESIDE + width);
     let ring: Ring =

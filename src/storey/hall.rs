@@ -12,7 +12,7 @@ const MOST_ROOMS: usize = 32;
 const ENTRY_COST: f64 = 0.2;
 
 /// Metres of the shortest hall: a door and somebody before it.
-const LEAST_HALL: f64 = 1.5;
+const LEAST_HALL: f64 = 1.3;
 
 /// What is known of a hall before its rooms are.
 #[derive(Clone, Copy, Debug)]
