@@ -1,7 +1,4 @@
-//! Balconies: each dwelling above the ground floor has one before its living room, where there is open air for it, and a large one
-//! another before a bedroom.
-
-use std::collections::BTreeMap;
+//! Balconies: each dwelling above the ground floor has one before its living room, where there is open air for it.
 
 use crate::geometry::{Point, Segment, distance_of_convex, distance_to_convex};
 use crate::plan::OpeningKind;
@@ -23,7 +20,7 @@ const SIGHT: f64 = 5.0;
 /// Metres that it stands out.
 const DEPTH: f64 = 1.5;
 /// Metres along the wall, least and most.
-const WIDTH: (f64, f64) = (2.8, 4.2);
+const WIDTH: (f64, f64) = (2.4, 4.2);
 /// Metres of wall that the room keeps beside it.
 const BESIDE: f64 = 0.2;
 /// Metres of the sliding door that leads to it, the least, and of wall beside it.
@@ -32,8 +29,6 @@ const DOOR: (f64, f64) = (1.5, 0.3);
 const DOOR_SHARE: f64 = 0.45;
 /// Metres to other balconies and to walls that stand out.
 const FREE: f64 = 1.0;
-/// Square metres of rooms from which on a dwelling has another before its largest bedroom.
-const LARGE_DWELLING: f64 = 90.0;
 /// Metres of its railing.
 const RAILING: f64 = 0.06;
 
@@ -46,10 +41,10 @@ pub(super) struct Balcony {
     pub(super) door: Link,
 }
 
-/// The balconies of a level, where there is open air before the rooms that have one.
+/// A balcony for each dwelling of a level that has open air before its living room.
 pub(super) fn balconies(ground: &Ground, partition: &Partition<'_>) -> Vec<Balcony> {
     let mut found: Vec<Balcony> = Vec::new();
-    for room in rooms_with_balconies(partition) {
+    for room in living_rooms(partition) {
         let mut pieces = partition.open_air(ground, room, SIGHT);
         pieces.sort_by(|a, b| b.length().total_cmp(&a.length()));
         let number = partition.cells.len() + found.len();
@@ -65,24 +60,20 @@ pub(super) fn balconies(ground: &Ground, partition: &Partition<'_>) -> Vec<Balco
     found
 }
 
-/// By dwelling its largest room that people live and may walk in; then of each large dwelling its largest other room with daylight.
-fn rooms_with_balconies(partition: &Partition<'_>) -> Vec<usize> {
+/// By dwelling its largest room that people live and may walk in.
+fn living_rooms(partition: &Partition<'_>) -> Vec<usize> {
     let cells = partition.cells;
-    let mut floor: BTreeMap<usize, f64> = BTreeMap::new();
-    let mut largest: [BTreeMap<usize, usize>; 2] = Default::default();
+    let mut largest: std::collections::BTreeMap<usize, usize> = std::collections::BTreeMap::new();
     for (room, cell) in cells.iter().enumerate() {
-        let Some(unit) = cell.unit else { continue };
-        *floor.entry(unit).or_default() += area(&cell.ring);
         let needs = partition.typologies.rooms.get(&cell.room_type);
-        let Some(needs) = needs.filter(|needs| needs.light == Light::Required) else { continue };
-        let known = largest[usize::from(!needs.passage)].entry(unit).or_insert(room);
+        let is_living = needs.is_some_and(|needs| needs.passage && needs.light == Light::Required);
+        let Some(unit) = cell.unit.filter(|_| is_living) else { continue };
+        let known = largest.entry(unit).or_insert(room);
         if area(&cells[*known].ring) < area(&cell.ring) {
             *known = room;
         }
     }
-    let [living_rooms, mut bedrooms] = largest;
-    bedrooms.retain(|unit, _| floor[unit] >= LARGE_DWELLING);
-    living_rooms.into_values().chain(bedrooms.into_values()).collect()
+    largest.into_values().collect()
 }
 
 /// The balcony at the first end of a piece of a room's face, behind an outer wall of some metres.
