@@ -3,6 +3,7 @@
 use crate::geometry::{Point, Segment, distance_of_convex, distance_to_convex};
 use crate::plan::OpeningKind;
 
+use super::draft::DOOR_HEAD;
 use super::dwelling::Cell;
 use super::facade::Facade;
 use super::faces::Partition;
@@ -10,6 +11,7 @@ use super::links::Link;
 use super::ring::{Ring, area, on_grid};
 use super::spine::Ground;
 use super::typology::Light;
+use super::windows::FLOOR_OF_GLASS;
 
 /// The room type.
 pub(super) const BALCONY: &str = "balcony";
@@ -21,8 +23,10 @@ const DEPTH: f64 = 1.5;
 const WIDTH: (f64, f64) = (2.4, 4.2);
 /// Metres of wall that the room keeps beside it.
 const BESIDE: f64 = 0.2;
-/// Metres of the sliding door that leads to it, and of wall beside that.
+/// Metres of the sliding door that leads to it, the least, and of wall beside it.
 const DOOR: (f64, f64) = (1.5, 0.3);
+/// Share of the balcony before the door at most: people sit before the rest.
+const DOOR_SHARE: f64 = 0.45;
 /// Metres to other balconies and to walls that stand out.
 const FREE: f64 = 1.0;
 /// Metres of its railing.
@@ -76,6 +80,9 @@ fn living_rooms(partition: &Partition<'_>) -> Vec<usize> {
 fn balcony(piece: Segment, wall: f64, (room, number): (usize, usize), partition: &Partition<'_>) -> Balcony {
     let (along, out) = (piece.direction(), -piece.normal());
     let width = (piece.length() - 2.0 * BESIDE).min(WIDTH.1);
+    // The door is the window too.
+    let wanted = area(&partition.cells[room].ring) / FLOOR_OF_GLASS / DOOR_HEAD;
+    let door = wanted.clamp(DOOR.0, DOOR.0.max(DOOR_SHARE * width));
     let corner = |from: f64, depth: f64| on_grid(piece.start + along * from + out * depth);
     let (from, to) = (BESIDE, BESIDE + width);
     let ring: Ring =
@@ -83,9 +90,9 @@ fn balcony(piece: Segment, wall: f64, (room, number): (usize, usize), partition:
     let door = Link {
         rooms: (room, Some(number)),
         kind: OpeningKind::SlidingDoor,
-        center: piece.start + along * (from + DOOR.1 + 0.5 * DOOR.0) + out * (0.5 * wall),
+        center: piece.start + along * (from + DOOR.1 + 0.5 * door) + out * (0.5 * wall),
         along,
-        width: DOOR.0,
+        width: door,
         leaves: 1,
     };
     let unit = partition.cells[room].unit;

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::geometry::Point;
+use crate::geometry::Segment;
 use crate::layout::seed::{Stream, building_stream};
 use crate::plan::{BuildingDraft, SitePlacement};
 
@@ -27,7 +27,7 @@ use super::spine::Ground;
 use super::street_level::street_level;
 use super::thin::{Rules, trade_thin_parts};
 use super::typology::{PlanKind, Typologies};
-use super::windows::{Taken, Window, windows};
+use super::windows::{Taken, Window, lit_rooms, windows};
 
 /// How often a kind of building is tried with other random numbers before a simpler way is taken.
 const TRIES: usize = 3;
@@ -230,12 +230,14 @@ fn storey(sketch: Sketch<'_>, cells: Vec<Cell>, is_ground: bool, stream: &mut St
     let (outside, doors): (Vec<Cell>, Vec<Link>) =
         balconies.into_iter().map(|balcony| (balcony.cell, balcony.door)).unzip();
     let all_doors: Vec<Link> = links.links.iter().chain(&doors).cloned().collect();
-    let ends: Vec<Point> = outside.iter().flat_map(|cell| [cell.ring[0], cell.ring[3]]).collect();
-    let windows = windows(&grounds[0], &partition, Taken { doors: &all_doors, ends: &ends });
-    let fault = first_fault(grounds, &partition, &links, &windows, is_ground);
+    let fixed: Vec<Segment> = outside.iter().map(|cell| Segment::new(cell.ring[0], cell.ring[3])).collect();
+    let windows = windows(&grounds[0], &partition, Taken { doors: &all_doors, balconies: &fixed });
+    let lit = lit_rooms(&partition, &windows, &all_doors);
+    let fault = first_fault(grounds, &partition, &links, &lit, is_ground);
+    let links = Links { links: all_doors, ..links };
     let cells = cells.into_iter().chain(outside).collect();
     let wall = grounds[0].wall.max(THINNEST_WALL);
-    Storey { cells, links: Links { links: all_doors, ..links }, windows, wall, fault }
+    Storey { cells, links, windows, wall, fault }
 }
 
 /// Storeys that always come out: open ones with stairs, or one room on each.

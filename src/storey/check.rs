@@ -8,7 +8,6 @@ use super::ring::area;
 use super::spine::Ground;
 use super::thin::{SLIVER_WIDTH, has_slivers};
 use super::typology::Light;
-use super::windows::Window;
 
 /// Share of the floor that rooms may miss or cover twice.
 const COVER: f64 = 0.004;
@@ -18,7 +17,7 @@ pub(super) fn first_fault(
     grounds: &[Ground],
     partition: &Partition<'_>,
     links: &Links,
-    windows: &[Window],
+    lit: &[bool],
     is_ground: bool,
 ) -> Option<String> {
     let &Partition { cells, typologies, .. } = partition;
@@ -41,8 +40,7 @@ pub(super) fn first_fault(
         if !is_as_wide_as(&cell.ring, needs.width) {
             return Some(format!("the {} is narrower than {} m", cell.room_type, needs.width));
         }
-        let has_window = || windows.iter().any(|window| window.room == index);
-        if needs.light == Light::Required && !has_window() {
+        if needs.light == Light::Required && !lit[index] {
             return Some(format!("the {} has no window", cell.room_type));
         }
     }

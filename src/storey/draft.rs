@@ -13,7 +13,7 @@ use super::windows::Window;
 /// Metres of floor between storeys.
 const SLAB: f64 = 0.3;
 /// Metres of the heads of doors.
-const DOOR_HEAD: f64 = 2.05;
+pub(super) const DOOR_HEAD: f64 = 2.05;
 
 /// A storey by its number from the ground up.
 pub(super) fn level_draft(storey: &Storey, number: usize, brief: &Brief<'_>) -> LevelDraft {

@@ -4,7 +4,8 @@ use crate::geometry::Point;
 use crate::layout::seed::Stream;
 
 use super::disc::{is_as_wide_as, is_simple};
-use super::fill::{DOOR_STRETCH, Filling, LIGHT_EACH, Slice, WINDOW_STRETCH, Wish, fill, needed};
+use super::fill::{DOOR_STRETCH, Filling, Floor, LIGHT_EACH, Slice, WINDOW_STRETCH, Wish, fill, needed};
+use super::hall::Hall;
 use super::ring::{Axis, Ring, area, bounds, join, shared_length, split, total_length};
 use super::spine::{Fixed, FixedKind, Ground, Row, Spine, StripRoom, extent, settle, trim, turned_ring_back};
 use super::thin::{Rules, has_thin_parts, trade_thin_parts};
@@ -151,15 +152,33 @@ pub(super) fn plan(
     if !has_light_for(task, &wishes) {
         return Vec::new();
     }
-    let floor = area(&task.ground.ring);
     let mut drafts = Vec::new();
     for division in divisions {
         let spine = &division.spine;
-        if let Some(filling) = fill_or_more(&spine.rows, &wishes, TRIES, stream) {
-            drafts.push((filling.cost + HALL_COST * area(&spine.strip) / floor, division, filling));
+        let hall = hall_of(task, &division.scheme);
+        if let Some(filling) = fill_or_more(Floor { rows: &spine.rows, hall }, &wishes, TRIES, stream) {
+            let strip_cost = match hall {
+                Some(_) => filling.hall_cost,
+                None => HALL_COST * area(&spine.strip) / area(&task.ground.ring),
+            };
+            drafts.push((filling.cost + strip_cost, division, filling));
         }
     }
     draw_best(task, drafts, &wishes, wanted)
+}
+
+/// The hall, where it may end before the strip does: stairs of a house stand in the same strip on all levels.
+fn hall_of<'a>(task: Task<'a>, scheme: &Scheme) -> Option<Hall<'a>> {
+    if task.has_stairs {
+        return None;
+    }
+    let port = task.port.map(|port| if scheme.is_turned { port.turned() } else { port });
+    let width = scheme.high - scheme.low;
+    Some(Hall {
+        room_type: task.hall,
+        port: port.map(|Port { at, .. }| (at.x - PORT_HALF, at.x + PORT_HALF)),
+        per_metre: HALL_COST * width / area(&task.ground.ring),
+    })
 }
 
 /// The level above or below one that is planned: with the same strip and stairs.
@@ -168,7 +187,8 @@ pub(super) fn plan_alike(task: Task<'_>, scheme: &Scheme, stream: &mut Stream) -
     let turned = task.ground.turned();
     let ground = if scheme.is_turned { &turned } else { task.ground };
     let Some(spine) = spine_of(ground, scheme, &[]) else { return Vec::new() };
-    let Some(filling) = fill_or_more(&spine.rows, &wishes, 4 * TRIES, stream) else { return Vec::new() };
+    let floor = Floor { rows: &spine.rows, hall: None };
+    let Some(filling) = fill_or_more(floor, &wishes, 4 * TRIES, stream) else { return Vec::new() };
     let division = Division { scheme: scheme.clone(), spine };
     draw_best(task, vec![(filling.cost, &division, filling)], &wishes, 1)
 }
@@ -197,10 +217,10 @@ fn has_light_for(task: Task<'_>, wishes: &[Wish<'_>]) -> bool {
 }
 
 /// The rooms of the programme in the rows; where there are more rows than that, with a storeroom, which is the last wish.
-fn fill_or_more(rows: &[Row], wishes: &[Wish<'_>], tries: u32, stream: &mut Stream) -> Option<Filling> {
+fn fill_or_more(floor: Floor<'_>, wishes: &[Wish<'_>], tries: u32, stream: &mut Stream) -> Option<Filling> {
     let (_, programme) = wishes.split_last()?;
-    fill(rows, programme, tries, stream).or_else(|| {
-        let mut filling = fill(rows, wishes, tries / 2, stream)?;
+    fill(floor, programme, tries, stream).or_else(|| {
+        let mut filling = fill(floor, wishes, tries / 2, stream)?;
         filling.cost += MORE_COST;
         Some(filling)
     })
@@ -426,7 +446,7 @@ fn carved(mut rings: Vec<Ring>, own: &[&Slice], wishes: &[Wish<'_>], (low, high)
     let wish = |index: usize| &wishes[own[index].wish];
     for index in 0..rings.len() {
         let Wish { needs, area: wanted, .. } = wish(index);
-        if !needs.inner || !own[index].is_at_hall {
+        if !needs.inner || !own[index].is_at_strip {
             continue;
         }
         let extent = bounds(&rings[index]);
@@ -482,7 +502,7 @@ fn trimmed_hall(
     stairs: &[Ring],
     port: Option<Port>,
 ) -> Option<(Ring, Vec<Ring>)> {
-    let (mut low, mut high) = needed(rows, &filling.slices)?;
+    let (mut low, mut high) = filling.hall.or_else(|| needed(rows, &filling.slices))?;
     let mut reach = |from: f64, to: f64| {
         low = low.min(from);
         high = high.max(to);

@@ -2,6 +2,7 @@
 
 use crate::layout::seed::Stream;
 
+use super::hall::{Hall, shorten};
 use super::spine::Row;
 use super::typology::{Light, RoomNeeds};
 
@@ -44,7 +45,9 @@ pub(super) struct Slice {
     pub(super) from: f64,
     /// See `from`.
     pub(super) to: f64,
-    /// Whether its door leads to the hall: else to its neighbour in the row.
+    /// Whether it borders on the strip so far that a door may lead there.
+    pub(super) is_at_strip: bool,
+    /// Whether its door leads to the hall: else to another room.
     pub(super) is_at_hall: bool,
 }
 
@@ -55,10 +58,35 @@ pub(super) struct Filling {
     pub(super) slices: Vec<Slice>,
     /// How far it is from what was wished for: 0 is perfect.
     pub(super) cost: f64,
+    /// From where to where the hall reaches along the strip, where it may end before that does.
+    pub(super) hall: Option<(f64, f64)>,
+    /// What that costs.
+    pub(super) hall_cost: f64,
+}
+
+impl Filling {
+    fn total(&self) -> f64 {
+        self.cost + self.hall_cost
+    }
+}
+
+/// What rooms are set into.
+#[derive(Clone, Copy)]
+pub(super) struct Floor<'a> {
+    /// The rows.
+    pub(super) rows: &'a [Row],
+    /// The hall between them, where it may end before the strip does.
+    pub(super) hall: Option<Hall<'a>>,
 }
 
 /// The best of several ways to fill the rows; `None` if none keeps to what rooms need.
-pub(super) fn fill(rows: &[Row], wishes: &[Wish<'_>], tries: u32, stream: &mut Stream) -> Option<Filling> {
+pub(super) fn fill(
+    floor: Floor<'_>,
+    wishes: &[Wish<'_>],
+    tries: u32,
+    stream: &mut Stream,
+) -> Option<Filling> {
+    let rows = floor.rows;
     if rows.is_empty() || rows.len() > wishes.len() {
         return None;
     }
@@ -78,8 +106,8 @@ pub(super) fn fill(rows: &[Row], wishes: &[Wish<'_>], tries: u32, stream: &mut S
     }
     let mut best: Option<Filling> = None;
     for attempt in 0..tries {
-        let way = shuffled(rows, wishes, &lengths, stream).and_then(|order| place(rows, wishes, &order));
-        if let Some(way) = way.filter(|way| best.as_ref().is_none_or(|best| way.cost < best.cost)) {
+        let way = shuffled(rows, wishes, &lengths, stream).and_then(|order| place(floor, wishes, &order));
+        if let Some(way) = way.filter(|way| best.as_ref().is_none_or(|best| way.total() < best.total())) {
             best = Some(way);
         }
         // Where nothing came out so far, hardly anything will.
@@ -132,7 +160,7 @@ fn shuffled(
     chosen.iter().all(|row| !row.is_empty()).then_some(chosen)
 }
 
-fn place(rows: &[Row], wishes: &[Wish<'_>], order: &[Vec<usize>]) -> Option<Filling> {
+fn place(Floor { rows, hall }: Floor<'_>, wishes: &[Wish<'_>], order: &[Vec<usize>]) -> Option<Filling> {
     let mut slices = Vec::with_capacity(wishes.len());
     let mut cost = 0.0;
     for (row, chosen) in order.iter().enumerate() {
@@ -149,12 +177,14 @@ fn place(rows: &[Row], wishes: &[Wish<'_>], order: &[Vec<usize>]) -> Option<Fill
             taken += area;
             let is_last = place + 1 == chosen.len();
             let to = if is_last { rows[row].to } else { (rows[row].place_of(taken) * 20.0).round() / 20.0 };
-            slices.push(Slice { wish, row, from, to, is_at_hall: false });
+            slices.push(Slice { wish, row, from, to, is_at_strip: false, is_at_hall: false });
             from = to;
         }
         cost += judge_row(&rows[row], wishes, &mut slices[first..], scale)?;
     }
-    Some(Filling { slices, cost })
+    let Some(hall) = hall else { return Some(Filling { slices, cost, hall: None, hall_cost: 0.0 }) };
+    let (reach, hall_cost) = shorten(rows, wishes, hall, &mut slices)?;
+    Some(Filling { slices, cost, hall: Some(reach), hall_cost })
 }
 
 /// Square metres of each room of a row, which fill it: where there is more than was wished for, baths and stores grow less than
@@ -195,7 +225,8 @@ fn judge_row(row: &Row, wishes: &[Wish<'_>], slices: &mut [Slice], scale: f64) -
             return None;
         }
         let contact = row.contact_between(slice.from, slice.to).map_or(0.0, |(from, to)| to - from);
-        slice.is_at_hall = contact >= DOOR_STRETCH;
+        slice.is_at_strip = contact >= DOOR_STRETCH;
+        slice.is_at_hall = slice.is_at_strip;
         let slenderness = length.max(depth) / length.min(depth);
         cost += libm::log(scale).abs() + (slenderness - SLENDER).max(0.0);
     }

@@ -29,13 +29,17 @@ const STAIRS_LIGHT: f64 = 1.3;
 /// Flats below this many square metres are joined with the other of their landing.
 const LEAST_FLAT: f64 = 18.0;
 /// Square metres from which on a landing has two flats.
-const TWO_FLATS: f64 = 110.0;
+const TWO_FLATS: f64 = 130.0;
+/// Of the larger of two flats of a landing, the least share that the smaller has.
+const LEAST_SHARE: f64 = 0.4;
 /// Square metres of a section of a kind that says none.
 const USUAL_SECTION: f64 = 200.0;
 /// Square metres of sections that follow from the number of flats of a map, which may count what is planned otherwise.
 const KNOWN_SECTION: (f64, f64) = (90.0, 420.0);
 /// The attempt from which on sections that have no other plan are lofts, and square metres of the largest one.
 const LOFT_ATTEMPT: usize = 2;
+/// Into how many parts a section is cut that has no plan.
+const PARTS: [usize; 2] = [2, 3];
 /// See [`LOFT_ATTEMPT`].
 const LARGEST_LOFT: f64 = 180.0;
 /// Square metres of the stairs and of the bath of a loft.
@@ -58,20 +62,7 @@ pub(super) fn flats(
     stream: &mut Stream,
 ) -> Option<Vec<Cell>> {
     let mut cells = Vec::new();
-    let mut unit = 0;
-    let mut in_sections = |ground: &Ground, count: usize| -> Option<Vec<Cell>> {
-        let mut next = unit;
-        let mut cells = Vec::new();
-        for ring in sections(ground, ground.ring.clone(), count) {
-            let section = ground.part(ring);
-            let rooms = landing(&section, brief, typologies, &mut next, stream);
-            let in_any_form =
-                || if attempt >= LOFT_ATTEMPT { loft(&section, typologies, &mut next) } else { None };
-            cells.extend(rooms.or_else(in_any_form)?);
-        }
-        unit = next;
-        Some(cells)
-    };
+    let mut landings = Landings { brief, typologies, attempt, unit: 0, stream };
     for ground in grounds {
         let wanted = known_section(grounds, brief, known).or(brief.typology.section).unwrap_or(USUAL_SECTION);
         let count = ((area(&ground.ring) / wanted).round() as usize).max(1);
@@ -81,9 +72,70 @@ pub(super) fn flats(
             _ => [count + 2, 2 * count, 2 * count + 1],
         };
         let mut counts = counts.into_iter().filter(|count| *count > 0);
-        cells.extend(counts.find_map(|count| in_sections(ground, count))?);
+        cells.extend(counts.find_map(|count| landings.in_sections(ground, count))?);
     }
     Some(cells)
+}
+
+/// The landings of a level that are planned so far.
+struct Landings<'a, 'b> {
+    brief: &'a Brief<'a>,
+    typologies: &'a Typologies,
+    attempt: usize,
+    /// Flats so far.
+    unit: usize,
+    stream: &'b mut Stream,
+}
+
+impl Landings<'_, '_> {
+    /// A ground in so many sections.
+    fn in_sections(&mut self, ground: &Ground, count: usize) -> Option<Vec<Cell>> {
+        let before = self.unit;
+        let mut cells = Vec::new();
+        for ring in sections(ground, ground.ring.clone(), count) {
+            let Some(rooms) = self.section(&ground.part(ring)) else {
+                self.unit = before;
+                return None;
+            };
+            cells.extend(rooms);
+        }
+        Some(cells)
+    }
+
+    /// A section, where the first attempt failed perhaps in parts, or as a loft.
+    fn section(&mut self, section: &Ground) -> Option<Vec<Cell>> {
+        if let Some(cells) = self.landing(section) {
+            return Some(cells);
+        }
+        if self.attempt == 0 {
+            return None;
+        }
+        let before = self.unit;
+        for count in PARTS {
+            let parts = sections(section, section.ring.clone(), count);
+            if parts.len() > 1 {
+                let rooms = parts.into_iter().map(|ring| self.part(&section.part(ring)));
+                if let Some(cells) = rooms.collect::<Option<Vec<_>>>() {
+                    return Some(cells.concat());
+                }
+                self.unit = before;
+            }
+        }
+        self.loft(section)
+    }
+
+    fn part(&mut self, part: &Ground) -> Option<Vec<Cell>> {
+        self.landing(part).or_else(|| self.loft(part))
+    }
+
+    fn landing(&mut self, section: &Ground) -> Option<Vec<Cell>> {
+        landing(section, self.brief, self.typologies, &mut self.unit, self.stream)
+    }
+
+    fn loft(&mut self, section: &Ground) -> Option<Vec<Cell>> {
+        let may_be = self.attempt >= LOFT_ATTEMPT;
+        if may_be { loft(section, self.typologies, &mut self.unit) } else { None }
+    }
 }
 
 /// A flat of one room in a section whose form leaves no other: stairs first, then the room and its bath.
@@ -100,7 +152,11 @@ fn loft(section: &Ground, typologies: &Typologies, unit: &mut usize) -> Option<V
     *unit += 1;
     cells.sort_by_key(|cell| cell.unit.is_some());
     let has_bath = cells.iter().any(|cell| cell.room_type == "bathroom");
-    (has_bath && area(&section.ring) <= LARGEST_LOFT).then_some(cells)
+    // People come in by the stairs.
+    let has_door =
+        |cell: &Cell| longest(section.light(&cell.ring)).map_or(0.0, Segment::length) >= STAIRS_LIGHT;
+    let is_reached = cells.iter().filter(|cell| cell.room_type == "stairs").all(has_door);
+    (has_bath && is_reached && area(&section.ring) <= LARGEST_LOFT).then_some(cells)
 }
 
 /// Square metres of a section with two flats, where the map says how many flats a building has.
@@ -193,26 +249,33 @@ fn landing(
 ) -> Option<Vec<Cell>> {
     let size = bounds(&section.ring).size();
     let first_turned = size.y > size.x;
+    let turned = section.turned();
+    let mut ways: Vec<(bool, Core)> = Vec::new();
     for is_turned in [first_turned, !first_turned] {
-        let ground = if is_turned { section.turned() } else { section.clone() };
-        let sound = cores(&ground, brief.storeys).into_iter().find_map(|core| {
-            let mut cells = flats_at(&ground, core, brief, typologies, stream)?;
-            trade_thin_parts(&mut cells, Rules { typologies, fixed: None });
-            is_joined(&cells, brief, typologies, stream).then_some(cells)
-        });
-        if let Some(mut cells) = sound {
-            let first = *unit;
-            for cell in &mut cells {
-                if is_turned {
-                    cell.ring = turned_ring_back(&cell.ring);
-                }
-                if let Some(number) = &mut cell.unit {
-                    *number += first;
-                    *unit = (*unit).max(*number + 1);
-                }
-            }
-            return Some(cells);
+        let ground = if is_turned { &turned } else { section };
+        ways.extend(cores(ground, brief.storeys).into_iter().map(|core| (is_turned, core)));
+    }
+    // Two flats where there is floor for them, one flat else.
+    let wants_two = area(&section.ring) >= TWO_FLATS;
+    ways.sort_by_key(|(_, core)| core.has_two_flats() != wants_two);
+    for (is_turned, core) in ways {
+        let ground = if is_turned { &turned } else { section };
+        let Some(mut cells) = flats_at(ground, core, brief, typologies, stream) else { continue };
+        trade_thin_parts(&mut cells, Rules { typologies, fixed: None });
+        if !is_joined(&cells, brief, typologies, stream) {
+            continue;
         }
+        let first = *unit;
+        for cell in &mut cells {
+            if is_turned {
+                cell.ring = turned_ring_back(&cell.ring);
+            }
+            if let Some(number) = &mut cell.unit {
+                *number += first;
+                *unit = (*unit).max(*number + 1);
+            }
+        }
+        return Some(cells);
     }
     None
 }
@@ -233,6 +296,16 @@ struct Core {
     stairs: Ring,
     lift: Option<Ring>,
     flats: Vec<Ring>,
+}
+
+impl Core {
+    /// Whether there are two flats of about one size.
+    fn has_two_flats(&self) -> bool {
+        match self.flats.as_slice() {
+            [smaller, larger] => area(smaller) >= LEAST_SHARE * area(larger),
+            _ => false,
+        }
+    }
 }
 
 fn cores(ground: &Ground, storeys: u32) -> Vec<Core> {

@@ -8,6 +8,7 @@ use crate::plan::OpeningKind;
 
 use super::dwelling::{Cell, Port};
 use super::faces::Partition;
+use super::suites::{add_second_doors, move_doors_of_suites};
 use super::typology::{RoomNeeds, Typologies};
 
 /// Metres of border, up to the middles of other walls, that the narrowest door needs.
@@ -40,6 +41,22 @@ pub(super) struct Link {
     pub(super) leaves: u32,
 }
 
+impl Link {
+    /// Whether it leads to a room.
+    pub(super) fn joins(&self, room: usize) -> bool {
+        self.rooms.0 == room || self.rooms.1 == Some(room)
+    }
+
+    /// The room on its other side, of one that it leads to.
+    pub(super) fn other(&self, room: usize) -> Option<usize> {
+        match self.rooms {
+            (first, Some(second)) if first == room => Some(second),
+            (first, Some(second)) if second == room => Some(first),
+            _ => None,
+        }
+    }
+}
+
 /// The ways of a level.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Links {
@@ -68,6 +85,17 @@ struct Level<'a> {
     is_entry: &'a [bool],
 }
 
+/// Which ways are looked for: what may lead to the hall does, before others are entered through a living room.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Pass {
+    /// To the room types that are best for a room.
+    Best,
+    /// To all room types that its doors may lead to.
+    Other,
+    /// To a bedroom, where the dwelling has another such room.
+    Suite,
+}
+
 /// Doors of a level: `entries` are the ways in from outside, `stair_roots` whether people come by the stairs.
 pub(super) fn link(
     partition: &Partition<'_>,
@@ -93,12 +121,11 @@ pub(super) fn link(
         }
     }
     let is_open: Vec<bool> = cells.iter().map(|_| stream.unit() < OPEN_SHARE).collect();
-    // The best doors first: what may lead to the hall does, before others are entered through a living room.
-    for pass in 0..2 {
+    for pass in [Pass::Best, Pass::Other, Pass::Suite] {
         loop {
             let next = (0..cells.len())
                 .filter(|&room| !is_reached[room])
-                .find_map(|room| best_way(level, &is_reached, room, pass == 1).map(|way| (room, way)));
+                .find_map(|room| best_way(level, &is_reached, room, pass).map(|way| (room, way)));
             let Some((room, (to, border))) = next else { break };
             let open = opens(level, room).filter(|(other, _)| is_open[room] && is_reached[*other]);
             let link = match open {
@@ -111,13 +138,14 @@ pub(super) fn link(
     }
     // People come by each stairs: those that nobody was led from have a door too.
     for room in (0..cells.len()).filter(|&room| cells[room].room_type == "stairs") {
-        let has_door = |link: &Link| link.rooms.0 == room || link.rooms.1 == Some(room);
-        if is_reached[room] && !found.links.iter().any(has_door) {
-            let way = best_way(level, &is_reached, room, true);
+        if is_reached[room] && !found.links.iter().any(|link| link.joins(room)) {
+            let way = best_way(level, &is_reached, room, Pass::Other);
             found.links.extend(way.map(|(to, border)| inner_door(cells, (room, to), border, &found.links)));
         }
     }
     join_corridors(level, &mut found.links);
+    move_doors_of_suites(partition, &mut found.links);
+    add_second_doors(partition, &mut found.links);
     found.unreached =
         (0..cells.len()).filter(|&room| !is_reached[room] && cells[room].room_type != "shaft").collect();
     found
@@ -207,12 +235,7 @@ fn may_lead(level: Level<'_>, needs: &RoomNeeds, room: usize, to: usize) -> Opti
     needs.doors.iter().position(|door| *door == other.room_type)
 }
 
-fn best_way(
-    level: Level<'_>,
-    is_reached: &[bool],
-    room: usize,
-    is_last_pass: bool,
-) -> Option<(usize, Segment)> {
+fn best_way(level: Level<'_>, is_reached: &[bool], room: usize, pass: Pass) -> Option<(usize, Segment)> {
     let Level { cells, typologies, borders, .. } = level;
     let needs = typologies.rooms.get(&cells[room].room_type)?;
     // Nobody walks through a flat to what all share.
@@ -222,11 +245,25 @@ fn best_way(
         // The other way round too: stairs of a house are reached from its hall, a hall above from the stairs.
         let other = typologies.rooms.get(&cells[to].room_type).filter(|other| other.passage);
         let back = other.and_then(|other| may_lead(level, other, to, room));
-        let rank = may_lead(level, needs, room, to).or(back.map(|_| 0))?;
-        (rank == 0 || is_last_pass).then_some((rank, -border.length(), to, border))
+        let suite = || (pass == Pass::Suite && is_suite(level, is_reached, room, to)).then_some(0);
+        let rank = may_lead(level, needs, room, to).or(back.map(|_| 0)).or_else(suite)?;
+        (rank == 0 || pass != Pass::Best).then_some((rank, -border.length(), to, border))
     });
     let best = ways.reduce(|a, b| if (b.0, b.1) < (a.0, a.1) { b } else { a });
     best.map(|(_, _, to, border)| (to, border))
+}
+
+/// Whether a room may belong to another: a bath to a bedroom, where the dwelling has one that is reached otherwise.
+fn is_suite(level: Level<'_>, is_reached: &[bool], room: usize, to: usize) -> bool {
+    let Level { cells, typologies, .. } = level;
+    let own = &cells[room];
+    let is_alike = |(other, cell): (usize, &Cell)| {
+        is_reached[other] && cell.unit == own.unit && cell.room_type == own.room_type
+    };
+    let leads = |needs: &RoomNeeds| needs.suite_of.contains(&cells[to].room_type);
+    cells[to].unit == own.unit
+        && typologies.rooms.get(&own.room_type).is_some_and(leads)
+        && cells.iter().enumerate().any(is_alike)
 }
 
 /// The room that another lies open to.
@@ -253,7 +290,12 @@ fn open_side(room: usize, other: usize, border: Segment) -> Link {
     }
 }
 
-fn inner_door(cells: &[Cell], (room, to): (usize, usize), border: Segment, links: &[Link]) -> Link {
+pub(super) fn inner_door(
+    cells: &[Cell],
+    (room, to): (usize, usize),
+    border: Segment,
+    links: &[Link],
+) -> Link {
     let types = [cells[room].room_type.as_str(), cells[to].room_type.as_str()];
     let has = |room_type: &str| types.contains(&room_type);
     let is_inside = cells[room].unit == cells[to].unit;

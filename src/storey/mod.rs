@@ -29,6 +29,7 @@ mod fill;
 mod flats;
 mod footprint;
 mod frame;
+mod hall;
 mod house;
 mod links;
 mod open;
@@ -36,6 +37,7 @@ mod plate;
 mod ring;
 mod spine;
 mod street_level;
+mod suites;
 #[cfg(test)]
 mod tests;
 mod thin;

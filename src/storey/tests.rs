@@ -105,6 +105,33 @@ fn flats_have_an_entrance_a_kitchen_and_a_bath_each() {
 }
 
 #[test]
+fn a_second_bath_may_belong_to_a_bedroom_and_the_first_never() {
+    let block = alone(rectangle(0.0, 0.0, 72.0, 13.0), 4.0, "apartments");
+    assert_eq!(block.report.rung, 0, "{:?}", block.report);
+    let mut suites = 0;
+    for level in &block.draft.levels {
+        let room = |id: &String| level.rooms.iter().find(|room| room.id == *id).unwrap();
+        let behind = |bath: &crate::plan::RoomDraft| -> Vec<String> {
+            let own = level
+                .openings
+                .iter()
+                .filter(|opening| opening.kind != OpeningKind::Window && opening.rooms.contains(&bath.id));
+            let others = own.flat_map(|opening| opening.rooms.iter().filter(|id| **id != bath.id));
+            others.map(|id| room(id).room_type.clone()).collect()
+        };
+        let baths: Vec<_> = level.rooms.iter().filter(|room| room.room_type == "bathroom").collect();
+        for bath in baths.iter().filter(|bath| behind(bath) == ["bedroom"]) {
+            suites += 1;
+            let is_open = |other: &&crate::plan::RoomDraft| {
+                other.dwelling == bath.dwelling && !behind(other).contains(&"bedroom".to_owned())
+            };
+            assert!(baths.iter().copied().any(|other| is_open(&other)), "{}", bath.id);
+        }
+    }
+    assert!(suites > 0);
+}
+
+#[test]
 fn corridors_of_wings_meet() {
     let corners = [(0., 0.), (50., 0.), (50., 14.), (14., 14.), (14., 45.), (0., 45.)];
     let offices = alone(region(&corners), 3.0, "office");

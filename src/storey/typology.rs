@@ -44,6 +44,9 @@ pub struct RoomNeeds {
     /// Room types that it lies open to instead, without a wall between, if it borders on one.
     #[serde(default)]
     pub open_to: Vec<String>,
+    /// Room types that the door of one of them leads to, where a dwelling has several on a level: a bath of one bedroom.
+    #[serde(default)]
+    pub suite_of: Vec<String>,
     /// Whether people may walk through it to other rooms.
     #[serde(default)]
     pub passage: bool,

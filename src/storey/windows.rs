@@ -2,6 +2,7 @@
 
 use crate::geometry::{Intervals, Point, Segment};
 
+use super::draft::DOOR_HEAD;
 use super::faces::Partition;
 use super::links::Link;
 use super::ring::{longest, total_length};
@@ -9,7 +10,7 @@ use super::spine::Ground;
 use super::typology::Light;
 
 /// Square metres of floor for a square metre of glass (German building codes ask for 8 to 10).
-const FLOOR_OF_GLASS: f64 = 8.0;
+pub(super) const FLOOR_OF_GLASS: f64 = 8.0;
 /// Metres of wall at each end of a room beside its windows.
 const BESIDE: f64 = 0.25;
 /// Metres from window to window.
@@ -28,6 +29,8 @@ const USUAL_WIDTH: f64 = 2.4;
 const SMALL_ROOM: f64 = 8.0;
 /// Metres within which an inner wall runs beside an outer one as if it were the same.
 const BESIDE_WALL: f64 = 0.25;
+/// Metres of wall from which on it has windows where the door of a balcony is light enough.
+const LEAST_LIT: f64 = 2.5;
 /// Metres of the largest window.
 const WIDEST: f64 = 2.8;
 
@@ -53,8 +56,8 @@ pub(super) struct Window {
 pub(super) struct Taken<'a> {
     /// All doors.
     pub(super) doors: &'a [Link],
-    /// Where balconies end at the wall: windows lie behind them or beside them.
-    pub(super) ends: &'a [Point],
+    /// Where balconies are fixed to the wall: the glass behind them is that of their doors.
+    pub(super) balconies: &'a [Segment],
 }
 
 /// The windows of a level.
@@ -94,7 +97,12 @@ pub(super) fn windows(ground: &Ground, partition: &Partition<'_>, taken: Taken<'
         }
         let floor = super::ring::area(&cell.ring);
         let wall = total_length(&pieces);
-        let wanted = (floor / FLOOR_OF_GLASS / (USUAL.1 - USUAL.0)).max(0.9);
+        let glazed = glass_of_doors(room, partition, taken.doors);
+        // Where the door of a balcony gives all the light, short walls beside it need none.
+        let is_lit = glazed >= floor / FLOOR_OF_GLASS - 0.01;
+        let pieces: Vec<Segment> =
+            pieces.into_iter().filter(|piece| !is_lit || piece.length() >= LEAST_LIT).collect();
+        let wanted = ((floor / FLOOR_OF_GLASS - glazed) / (USUAL.1 - USUAL.0)).max(0.9);
         let bottom = if wanted > 0.55 * wall { LOW_SILL } else { USUAL.0 };
         // More light than needed where there is wall for it, as people build.
         let share = (wanted / wall.max(0.1)).clamp(0.42, 0.85);
@@ -112,6 +120,22 @@ pub(super) fn windows(ground: &Ground, partition: &Partition<'_>, taken: Taken<'
     found
 }
 
+/// Square metres of glass of the doors of a room to balconies, whose numbers come after those of the rooms.
+fn glass_of_doors(room: usize, partition: &Partition<'_>, doors: &[Link]) -> f64 {
+    let is_glazed = |door: &&Link| {
+        door.rooms.0 == room && door.rooms.1.is_some_and(|other| other >= partition.cells.len())
+    };
+    doors.iter().filter(is_glazed).map(|door| door.width * DOOR_HEAD).sum()
+}
+
+/// By room whether it has a window, or a glazed door to a balcony.
+pub(super) fn lit_rooms(partition: &Partition<'_>, windows: &[Window], doors: &[Link]) -> Vec<bool> {
+    let has_window = |room: usize| windows.iter().any(|window| window.room == room);
+    (0..partition.cells.len())
+        .map(|room| has_window(room) || glass_of_doors(room, partition, doors) > 0.0)
+        .collect()
+}
+
 /// Windows evenly along a piece of wall: middle and width of each.
 fn in_piece(piece: Segment, share: f64) -> Vec<(Point, f64)> {
     let length = piece.length();
@@ -123,9 +147,14 @@ fn in_piece(piece: Segment, share: f64) -> Vec<(Point, f64)> {
     (0..count as u32).map(|index| (piece.at((f64::from(index) + 0.5) / count), width)).collect()
 }
 
-/// What doors leave of a piece of wall: outer ones, and those of the room in an inner wall that runs close beside it; and the ends
-/// of balconies before it.
-fn free_pieces(piece: Segment, room: usize, wall: f64, Taken { doors, ends }: Taken<'_>) -> Vec<Segment> {
+/// What doors leave of a piece of wall: outer ones, and those of the room in an inner wall that runs close beside it; and balconies
+/// before it.
+fn free_pieces(
+    piece: Segment,
+    room: usize,
+    wall: f64,
+    Taken { doors, balconies }: Taken<'_>,
+) -> Vec<Segment> {
     let (direction, length) = (piece.direction(), piece.length());
     let distance = |point: Point| (piece.side(point) / length).abs();
     let is_in_wall = |link: &&Link| {
@@ -139,9 +168,13 @@ fn free_pieces(piece: Segment, room: usize, wall: f64, Taken { doors, ends }: Ta
     let place = |point: Point| (point - piece.start).dot(direction);
     let around = |point: Point, half: f64| (place(point) - half - DOOR_GAP, place(point) + half + DOOR_GAP);
     let taken = doors.iter().filter(is_in_wall).map(|link| around(link.center, link.width / 2.0));
-    let ends = ends.iter().filter(|end| distance(**end) < wall + BESIDE_WALL).map(|end| around(*end, 0.0));
+    let is_before = |balcony: &&Segment| {
+        distance(balcony.middle()) < wall + BESIDE_WALL && balcony.direction().perp_dot(direction).abs() < 0.1
+    };
+    let stretches =
+        balconies.iter().filter(is_before).map(|balcony| around(balcony.middle(), 0.5 * balcony.length()));
     let mut free = Intervals::new(0.0, length);
-    taken.chain(ends).for_each(|(from, to)| free.subtract(from, to));
+    taken.chain(stretches).for_each(|(from, to)| free.subtract(from, to));
     let kept = free.as_slice().iter().filter(|(from, to)| to - from > 0.3);
     kept.map(|(from, to)| Segment::new(piece.at(from / length), piece.at(to / length))).collect()
 }
