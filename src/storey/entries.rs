@@ -19,6 +19,8 @@ const DOORS_APART: f64 = 22.0;
 const PLACES_APART: f64 = 8.0;
 /// Metres across from which on a corridor has several.
 const LONG_ROOM: f64 = 30.0;
+/// The room type of rooms that people come into from others.
+const STORE: &str = "storeroom";
 /// Metres of wall at the street that are enough for a door.
 const LEAST_FRONT: f64 = 1.2;
 /// Metres of wall from which on it has a place for a way out.
@@ -137,17 +139,31 @@ fn ways_in(grounds: &[Ground], partition: &Partition<'_>) -> Vec<Entry> {
     let cells = partition.cells;
     let is_flats = cells.first().is_some_and(|cell| cell.room_type == "stairs");
     if is_flats {
-        let is_store = |room: usize| cells[room].room_type == "storeroom";
+        let is_store = |room: usize| cells[room].room_type == STORE;
         let entered = (0..cells.len()).filter(|&room| partition.is_public(room) && !is_store(room));
         return entered.filter_map(|room| free_wall(&grounds[0], partition, room)).collect();
     }
     let is_single = cells.len() == grounds.len();
-    let wanted = grounds.iter().flat_map(outer_ports).find_map(|port| {
-        Some(Entry { room: room_at(cells, port).filter(|&room| partition.is_passage(room))?, port })
-    });
+    let behind = |port: Port, may_be: &dyn Fn(usize) -> bool| {
+        let room = room_at(cells, port).filter(|&room| partition.is_passage(room) && may_be(room))?;
+        Some(Entry { room, port })
+    };
+    let first = |may_be: &dyn Fn(usize) -> bool| {
+        grounds.iter().flat_map(outer_ports).find_map(|port| behind(port, may_be))
+    };
+    // Where one room takes most of the floor, nobody comes in through its stores.
+    let total: f64 = cells.iter().map(|cell| area(&cell.ring)).sum();
+    let takes_most = |room: &usize| partition.is_public(*room) && area(&cells[*room].ring) > 0.5 * total;
+    let most = (0..cells.len()).find(takes_most);
+    let is_store_of = |room: usize| cells[room].room_type == STORE && most.is_some_and(|most| most != room);
     // A building of one room, such as a shed, is entered where it has any wall to the open air.
     let any = || if is_single { free_wall(&grounds[0], partition, 0) } else { None };
-    wanted.or_else(any).into_iter().collect()
+    first(&|room| !is_store_of(room))
+        .or_else(|| free_wall(&grounds[0], partition, most?))
+        .or_else(|| first(&|_| true))
+        .or_else(any)
+        .into_iter()
+        .collect()
 }
 
 /// A way into a room from the open air: in the middle of its longest free wall, at the street if it has one there.

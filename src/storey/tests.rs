@@ -181,6 +181,21 @@ fn a_hotel_is_entered_through_a_lobby() {
 }
 
 #[test]
+fn nobody_comes_into_an_exhibition_through_its_stores() {
+    for seed in 0..12 {
+        let width = 12.0 + f64::from(seed);
+        let museum = alone(rectangle(0.0, 0.0, width, 8.5), 1.0, "museum");
+        let level = &museum.draft.levels[0];
+        let is_way_in = |opening: &&crate::plan::OpeningDraft| {
+            opening.kind != OpeningKind::Window && opening.rooms.len() == 1
+        };
+        let first = level.openings.iter().find(is_way_in).expect("a way in");
+        let room = level.rooms.iter().find(|room| room.id == first.rooms[0]).unwrap();
+        assert_eq!(room.room_type, "exhibition", "{width} m wide: {:?}", museum.report);
+    }
+}
+
+#[test]
 fn large_open_storeys_are_parted_into_compartments() {
     let museum = alone(rectangle(0.0, 0.0, 80.0, 60.0), 1.0, "museum");
     let parts = rooms_of(&museum, 0, "exhibition");
