@@ -14,6 +14,8 @@ from .shapes import Wall, rectangle
 # Metres between the places that are tried along a wall, and by which a bed may reach past an outline: rounding.
 STEP = 0.05
 ROUNDING = 0.01
+# Metres between a bed and the sector that a leaf sweeps.
+SWING_REACH = 0.75
 # Metres beside a bed that who gets up needs along one of its long sides (QUALITY §3), and inside doors that stay free.
 BESIDE = 0.56
 BEFORE_DOOR = 0.75
@@ -22,27 +24,27 @@ OVER_SILL = 0.1
 BEFORE_WINDOW = 0.5
 
 
-def has_place(room: Room, bed: Piece, from_swings: float, along_wall: bool = False) -> bool:
-    """Whether a bed of the same size could stand with its head at a wall, or with a long side where `along_wall` asks for it: so
-    many metres from where leaves swing, clear of doors and of windows that it would darken, with a way along a long side."""
+def swings_of(room: Room) -> list[shapely.Polygon]:
+    """Where leaves swing into a room."""
+    return [swing for opening, _ in room.openings(doors=True) for swing in opening.swings
+            if swing.intersection(room.region).area > swing.area / 2]
+
+
+def has_place(room: Room, bed: Piece, along_wall: bool = False) -> bool:
+    """Whether a bed of the same size could stand with its head at a wall, or with a long side where `along_wall` asks for it:
+    clear of leaves, doors and windows that it would darken, with a way along a long side."""
     taken = [side.before(BEFORE_DOOR) for opening, side in room.openings(doors=True) if opening.closure != "open"]
-    taken += [swing.buffer(from_swings - ROUNDING) for opening, _ in room.openings(doors=True) for swing in opening.swings
-              if swing.intersection(room.region).area > swing.area / 2]
+    taken += [swing.buffer(SWING_REACH - ROUNDING) for swing in swings_of(room)]
     taken += [shape for shape, _ in room.columns]
     dark = [side.before(BEFORE_WINDOW) for opening, side in room.openings(doors=False) if opening.sill + OVER_SILL < bed.high]
-    floor = room.region.buffer(ROUNDING).difference(shapely.union_all(taken))
+    inside = room.region.buffer(ROUNDING)
+    floor = inside.difference(shapely.union_all(taken))
     at_head = floor.difference(shapely.union_all(dark))
-    shapely.prepare([floor, at_head])
+    shapely.prepare([inside, floor, at_head])
     width, length = sorted(bed.size)
-    for wall in room.walls:
-        if along_wall:
-            places = sideways(wall, width, length)
-        else:
-            places = upright(wall, width, length)
-        for stand, head, strips in places:
-            if floor.covers(stand) and at_head.covers(head) and any(room.region.buffer(ROUNDING).covers(strip) for strip in strips):
-                return True
-    return False
+    places = sideways if along_wall else upright
+    return any(floor.covers(stand) and at_head.covers(head) and any(inside.covers(strip) for strip in strips)
+               for wall in room.walls for stand, head, strips in places(wall, width, length))
 
 
 Place = tuple[shapely.Polygon, shapely.Polygon, list[shapely.Polygon]]  # the bed, its head, the strips beside it

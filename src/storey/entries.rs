@@ -60,11 +60,7 @@ fn door_of_the_far(
     }
     let is_new = entries.iter().all(|entry| entry.room != room);
     let own = if is_new && partition.is_public(room) { free_wall(ground, partition, room) } else { None };
-    let before = links.links.iter().filter_map(|link| match link.rooms {
-        (one, Some(other)) if other == room => Some(one),
-        (one, other) if one == room => other,
-        _ => None,
-    });
+    let before = links.links.iter().filter_map(|link| link.other(room));
     own.or_else(|| {
         before.filter(|&before| partition.is_public(before)).find_map(|before| {
             let places = door_places(ground, partition, before);

@@ -6,14 +6,12 @@ import shapely
 
 from ..floors import Room
 from ..measure import Answer, Fault, Measure, answer
-from ..places import has_place
+from ..places import SWING_REACH, has_place, swings_of
 from ..roles import BEDROOMS, BEDS, DOUBLE_BEDS, SINGLE_BEDS, WARDROBES
 
 # Square metres.
 DOUBLE_AREA = 11.5
 WARDROBE_AREA = 8.0
-# Metres between a bed and the sector that a leaf sweeps.
-SWING_REACH = 0.75
 ROUNDING = 0.002
 
 
@@ -50,15 +48,14 @@ def judge_bed(room: Room) -> Answer | None:
 def judge_swing(room: Room) -> Answer | None:
     """Beds against the leaves that swing into their room, where the empty room has a place that is clear of them."""
     beds = room.of(BEDS) if room.kind in BEDROOMS else []
-    swings = [swing for opening, _ in room.openings(doors=True) for swing in opening.swings
-              if swing.intersection(room.region).area > swing.area / 2]
+    swings = swings_of(room)
     if not beds or not swings:
         return None
     faults, nearest = [], float("inf")
     for bed in beds:
         metres = min(bed.footprint.distance(swing) for swing in swings)
         nearest = min(nearest, metres)
-        if metres < SWING_REACH - ROUNDING and has_place(room, bed, SWING_REACH):
+        if metres < SWING_REACH - ROUNDING and has_place(room, bed):
             faults.append(Fault(f"{metres:.2f} m from the swing of a door", (bed.id,), metres))
     return answer(faults, nearest)
 

@@ -16,15 +16,13 @@ from .kitchens import units_of
 JOINT = 0.04
 # Metres beside a kitchen unit, or beside a bath in a corner, that are lost: more than a joint, less than another unit is wide.
 UNIT_GAP = (0.03, 0.6)
+BATH_GAP = (0.12, 0.6)
 # Shares of the depth at which a side is closed by the end of a unit's own wall.
 DEPTHS = (0.02, 0.98)
-BATH_GAP = (0.12, 0.6)
 # Metres from the mattress to the wall: a board, and a hand that tucks in the sheet. A jog of the wall or a piece closes a side
 # of a bed along a quarter of its length, half a metre: who sits up in it leans there, or rolls no farther.
 BED_GAP = 0.1
 BED_SHARE = 0.25
-# Metres that a bed keeps from where leaves swing, as `bed_at_swing` asks.
-FROM_SWINGS = 0.75
 # Metres between the sides of twin beds at most, a way beside each (HUD: 1.07), and by which one is before the other at most.
 TWIN_GAP = 1.2
 TWIN_SHIFT = 0.3
@@ -117,7 +115,7 @@ def judge_beds(room: Room) -> Answer | None:
     gaps = {bed.id: min(leaned_on(room, bed, name) for name in ("left", "right")) for bed in beds}
     leaning = [bed for bed in beds if gaps[bed.id] <= BED_GAP]
     free = [bed for bed in beds if not any(bed is other or are_twins(bed, other) for other in leaning)]
-    free = [bed for bed in free if has_place(room, bed, FROM_SWINGS, along_wall=True)]
+    free = [bed for bed in free if has_place(room, bed, along_wall=True)]
     return closed_at_a_side({bed.id: gaps[bed.id] for bed in free or leaning}, BED_GAP) or (answer([]) if beds else None)
 
 
