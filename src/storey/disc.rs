@@ -91,7 +91,9 @@ pub(super) fn largest_disc(rings: &[&[Point]], enough: f64) -> (f64, Point) {
 
 /// Whether a disc of this diameter fits, to a centimetre.
 pub(super) fn is_as_wide_as(ring: &[Point], width: f64) -> bool {
-    largest_disc(&[ring], width).0 >= width - 0.01
+    // Most rooms are rectangles, in whose middle it is; any place will do.
+    let least = width - 0.01;
+    2.0 * distance(&[ring], bounds(ring).center()) >= least || largest_disc(&[ring], width).0 >= least
 }
 
 /// A point well inside a ring.

@@ -345,9 +345,13 @@ fn entrance(spans: &[Span], around: &Around) -> Option<(usize, Point)> {
 impl Facade {
     /// The spans that the piece of a room's border lies behind, within these metres of their outer face.
     /// Each comes with the piece of the border before it.
-    pub(super) fn before(&self, border: Segment, (least, most): (f64, f64)) -> Vec<(&Span, Segment)> {
+    pub(super) fn before(
+        &self,
+        border: Segment,
+        (least, most): (f64, f64),
+    ) -> impl Iterator<Item = (&Span, Segment)> {
         let direction = border.direction();
-        let found = self.spans.iter().filter_map(|span| {
+        self.spans.iter().filter_map(move |span| {
             if span.direction.dot(direction) < 0.9998 {
                 return None;
             }
@@ -360,7 +364,6 @@ impl Facade {
             let to = (span.line.end - border.start).dot(direction).min(border.length());
             (to - from > 0.05)
                 .then(|| (span, Segment::new(border.start + direction * from, border.start + direction * to)))
-        });
-        found.collect()
+        })
     }
 }

@@ -3,8 +3,6 @@
 //! Storeys are made by cutting and by joining what was cut, never by placing things beside each other: so that rooms cover their
 //! storey and do not overlap, whatever its outline.
 
-use std::collections::BTreeMap;
-
 pub(super) use crate::geometry::signed_area as area;
 use crate::geometry::{Bounds, Point, Segment, edges};
 
@@ -61,9 +59,9 @@ pub(super) fn split(ring: &[Point], axis: Axis, at: f64) -> (Vec<Ring>, Vec<Ring
     // One cut between places that are no corners leaves two rings as simple as the whole.
     let near = |corner: &&Point| height(**corner).abs() <= 3.0 * ON_LINE;
     let is_plain = crossings.len() == 2 && ring.iter().filter(near).count() == 0;
-    let partner = partners(&nodes, crossings, axis);
+    let partners = partners(&nodes, crossings, axis);
     let side = |above: bool| {
-        let mut pieces = chains(&nodes, &partner, above);
+        let mut pieces = chains(&nodes, &partners, above);
         if !is_plain {
             pieces = pieces.into_iter().flat_map(unfolded).collect();
         }
@@ -111,8 +109,8 @@ fn with_crossings(ring: &[Point], is_above: &[bool], axis: Axis, at: f64) -> (Ve
     (nodes, crossings)
 }
 
-/// By node that is a crossing: the other end of the piece of the line inside the ring.
-fn partners(nodes: &[Node], mut crossings: Vec<usize>, axis: Axis) -> BTreeMap<usize, usize> {
+/// Each node that is a crossing, rising, with the other end of the piece of the line inside the ring.
+fn partners(nodes: &[Node], mut crossings: Vec<usize>, axis: Axis) -> Vec<(usize, usize)> {
     let other = if axis == Axis::X { Axis::Y } else { Axis::X };
     let place = |index: &usize| along(nodes[*index].point, other);
     crossings.sort_by(|a, b| place(a).total_cmp(&place(b)).then(a.cmp(b)));
@@ -124,12 +122,14 @@ fn partners(nodes: &[Node], mut crossings: Vec<usize>, axis: Axis) -> BTreeMap<u
             crossings.swap(index, index + 1);
         }
     }
-    let pairs = crossings.chunks_exact(2).map(|pair| (pair[0], pair[1]));
-    pairs.flat_map(|(a, b)| [(a, b), (b, a)]).collect()
+    let mut pairs: Vec<(usize, usize)> =
+        crossings.chunks_exact(2).flat_map(|pair| [(pair[0], pair[1]), (pair[1], pair[0])]).collect();
+    pairs.sort_unstable();
+    pairs
 }
 
 /// The rings on one side of the line.
-fn chains(nodes: &[Node], partner: &BTreeMap<usize, usize>, above: bool) -> Vec<Ring> {
+fn chains(nodes: &[Node], partners: &[(usize, usize)], above: bool) -> Vec<Ring> {
     let mut is_done = vec![false; nodes.len()];
     let mut pieces = Vec::new();
     for start in 0..nodes.len() {
@@ -144,7 +144,8 @@ fn chains(nodes: &[Node], partner: &BTreeMap<usize, usize>, above: bool) -> Vec<
             is_done[index] = true;
             // Where the ring leaves this side, it goes on where it comes back.
             if node.is_above.is_none() && node.goes_up != above {
-                let Some(&back) = partner.get(&index) else { break };
+                let Ok(pair) = partners.binary_search_by_key(&index, |(from, _)| *from) else { break };
+                let back = partners[pair].1;
                 push_corner(&mut piece, nodes[back].point);
                 is_done[back] = true;
                 index = back;
@@ -285,18 +286,16 @@ fn with_corners_of(ring: &[Point], other: &[Point]) -> Ring {
     let mut corners = Vec::with_capacity(ring.len() + 4);
     for edge in edges(ring) {
         push_corner(&mut corners, edge.start);
-        let (length, direction) = (edge.length(), edge.direction());
-        let mut on_edge: Vec<(f64, Point)> = other
-            .iter()
-            .map(|&corner| ((corner - edge.start).dot(direction), corner))
-            .filter(|&(place, corner)| {
-                place > 0.0
-                    && place < length
-                    && corner != edge.start
-                    && corner != edge.end
-                    && edge.side(corner).abs() < 2.0 * ON_LINE
-            })
-            .collect();
+        let is_near = |corner: &Point| {
+            edge.side(*corner).abs() < 2.0 * ON_LINE && *corner != edge.start && *corner != edge.end
+        };
+        let mut on_edge: Vec<(f64, Point)> = Vec::new();
+        for &corner in other.iter().filter(|corner| is_near(corner)) {
+            let place = (corner - edge.start).dot(edge.direction());
+            if place > 0.0 && place < edge.length() {
+                on_edge.push((place, corner));
+            }
+        }
         on_edge.sort_by(|a, b| a.0.total_cmp(&b.0));
         on_edge.into_iter().for_each(|(_, corner)| push_corner(&mut corners, corner));
     }
@@ -307,9 +306,13 @@ fn with_corners_of(ring: &[Point], other: &[Point]) -> Ring {
 pub(super) fn shared(first: &[Point], second: &[Point]) -> Vec<Segment> {
     let mut found = Vec::new();
     for edge in edges(first) {
-        let (length, direction) = (edge.length(), edge.direction());
-        for far in edges(second).filter(|far| far.direction().dot(direction) < -0.9999) {
-            if edge.side(far.start).abs() > 2.0 * ON_LINE || edge.side(far.end).abs() > 2.0 * ON_LINE {
+        // Most edges are elsewhere, which is told without a square root.
+        let is_near = |far: &Segment| {
+            edge.side(far.start).abs() <= 2.0 * ON_LINE && edge.side(far.end).abs() <= 2.0 * ON_LINE
+        };
+        for far in edges(second).filter(is_near) {
+            let (length, direction) = (edge.length(), edge.direction());
+            if far.direction().dot(direction) >= -0.9999 {
                 continue;
             }
             let from = (far.end - edge.start).dot(direction).max(0.0);

@@ -55,7 +55,7 @@ impl Ground {
     pub(super) fn light(&self, ring: &[Point]) -> Vec<Segment> {
         let free = |edge: Segment| {
             let before = self.facade.before(edge, (self.wall, self.wall));
-            before.into_iter().filter(|(span, _)| span.class.is_free()).map(|(_, piece)| piece)
+            before.filter(|(span, _)| span.class.is_free()).map(|(_, piece)| piece)
         };
         edges(ring).flat_map(free).collect()
     }
@@ -111,8 +111,10 @@ impl Row {
         let (from, to) = (extent.low.x, extent.high.x);
         let step = (to - from) / SAMPLES as f64;
         let mut sums = vec![0.0];
+        let lines: Vec<SlopedLine> = edges(&ring).filter_map(SlopedLine::of).collect();
         for sample in 0..SAMPLES {
-            let depth = depth_at(&ring, from + step * (sample as f64 + 0.5));
+            let place = from + step * (sample as f64 + 0.5);
+            let depth: f64 = lines.iter().map(|line| line.depth_at(place)).sum();
             sums.push(sums[sample] + depth * step);
         }
         let span =
@@ -196,14 +198,31 @@ fn take_largest(mut pieces: Vec<Ring>, taken: &mut Vec<Ring>, left_over: &mut Ve
     left_over.extend(pieces);
 }
 
-/// Metres of a ring across the strip at a place along it.
-fn depth_at(ring: &[Point], s: f64) -> f64 {
-    // Edges above run west, those below run east.
-    let height = |edge: &Segment| {
-        let y = edge.start.y + (s - edge.start.x) / (edge.end.x - edge.start.x) * (edge.end.y - edge.start.y);
-        if edge.start.x > edge.end.x { y } else { -y }
-    };
-    edges(ring).filter(|edge| (edge.start.x > s) != (edge.end.x > s)).map(|edge| height(&edge)).sum()
+/// An edge of a ring that does not run across the strip.
+struct SlopedLine {
+    from: f64,
+    to: f64,
+    /// Height at `from`, and how it changes: below zero where the inside is above the edge.
+    height: f64,
+    slope: f64,
+}
+
+impl SlopedLine {
+    fn of(edge: Segment) -> Option<Self> {
+        // Edges above run west, those below run east.
+        let (low, high, sign) = match edge.start.x > edge.end.x {
+            true => (edge.end, edge.start, 1.0),
+            false => (edge.start, edge.end, -1.0),
+        };
+        let slope = (high.y - low.y) / (high.x - low.x);
+        (high.x > low.x).then(|| Self { from: low.x, to: high.x, height: sign * low.y, slope: sign * slope })
+    }
+
+    /// What it adds to the metres of the ring across the strip at a place along it.
+    fn depth_at(&self, place: f64) -> f64 {
+        let is_over = place >= self.from && place < self.to;
+        if is_over { self.height + (place - self.from) * self.slope } else { 0.0 }
+    }
 }
 
 /// A room inside a strip, at one side of it.

@@ -68,11 +68,11 @@ fn thin_parts(ring: &[Point], below: f64) -> Vec<ThinPart> {
 
 /// The thin parts of a ring between edges whose directions have no larger cosine, the largest first.
 fn thin_parts_between(ring: &[Point], below: f64, opposite: f64) -> Vec<ThinPart> {
-    let all: Vec<Segment> = edges(ring).collect();
+    let all: Vec<(Segment, Point)> = edges(ring).map(|edge| (edge, edge.direction())).collect();
     let mut found: Vec<ThinPart> = Vec::new();
-    for (index, &edge) in all.iter().enumerate() {
-        for &other in &all[index + 1..] {
-            if edge.direction().dot(other.direction()) <= opposite {
+    for (index, &(edge, direction)) in all.iter().enumerate() {
+        for &(other, back) in &all[index + 1..] {
+            if direction.dot(back) <= opposite {
                 found.extend(between(edge, other, below).filter(|part| ring_contains(ring, part.middle)));
             }
         }
