@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-use crate::geometry::{Point, Polygon, edges, ring_contains};
+use crate::geometry::{Point, Polygon, Segment, edges};
 
 use super::ring::bounds;
 
@@ -44,27 +44,60 @@ impl Ord for Square {
     }
 }
 
-/// Metres from a point to the border of rings, below zero outside; the first ring is the outline, the others are holes.
-fn distance(rings: &[&[Point]], point: Point) -> f64 {
-    let gaps = rings.iter().flat_map(|ring| edges(ring)).map(|edge| edge.distance_squared(point));
-    let least = gaps.fold(f64::INFINITY, f64::min).sqrt();
-    // Inside the outline and outside of all holes: within an odd number of rings.
-    let around = rings.iter().filter(|ring| ring_contains(ring, point)).count();
-    if around % 2 == 1 { least } else { -least }
+/// The edges of an outline and of its holes, in the form in which many points are looked at.
+struct Border(Vec<Edge>);
+
+struct Edge {
+    start: Point,
+    vector: Point,
+    length_squared: f64,
+}
+
+impl Border {
+    fn of(rings: &[&[Point]]) -> Self {
+        let edge = |edge: Segment| Edge {
+            start: edge.start,
+            vector: edge.vector(),
+            length_squared: edge.vector().length_squared(),
+        };
+        Self(rings.iter().flat_map(|ring| edges(ring)).map(edge).collect())
+    }
+
+    /// Metres from a point to the border, below zero outside.
+    fn distance(&self, point: Point) -> f64 {
+        let mut least = f64::INFINITY;
+        // Inside the outline and outside of all holes: a ray to the east meets an odd number of edges.
+        let mut is_inside = false;
+        for &Edge { start, vector, length_squared } in &self.0 {
+            let to_point = point - start;
+            let share = (to_point.dot(vector) / length_squared).clamp(0.0, 1.0);
+            least = least.min((to_point - vector * share).length_squared());
+            if (to_point.y < 0.0) != (to_point.y < vector.y) {
+                is_inside ^= to_point.x < to_point.y / vector.y * vector.x;
+            }
+        }
+        if is_inside { least.sqrt() } else { -least.sqrt() }
+    }
 }
 
 /// The diameter in metres of the largest disc inside, and its middle; the search ends early once `enough` is reached.
 pub(super) fn largest_disc(rings: &[&[Point]], enough: f64) -> (f64, Point) {
+    search(rings, enough, 0.0)
+}
+
+/// As [`largest_disc`]; the answer is of no use where it is below a diameter.
+fn search(rings: &[&[Point]], enough: f64, needed: f64) -> (f64, Point) {
     let Some(outline) = rings.first().filter(|ring| ring.len() > 2) else { return (0.0, Point::ZERO) };
+    let border = Border::of(rings);
     let extent = bounds(outline);
     let size = extent.size();
     let half = (size.min_element() / 2.0).max(TOLERANCE);
     let square = |middle: Point, half: f64| {
-        let distance = distance(rings, middle);
+        let distance = border.distance(middle);
         Square { middle, half, distance, most: distance + half * std::f64::consts::SQRT_2 }
     };
     let mut queue = BinaryHeap::new();
-    let mut best = (distance(rings, extent.center()), extent.center());
+    let mut best = (border.distance(extent.center()), extent.center());
     let counts = (size / (2.0 * half)).ceil().max(Point::ONE).min(Point::splat(16.0));
     let step = size / counts;
     for column in 0..counts.x as u32 {
@@ -78,7 +111,8 @@ pub(super) fn largest_disc(rings: &[&[Point]], enough: f64) -> (f64, Point) {
         if next.distance > best.0 {
             best = (next.distance, next.middle);
         }
-        if next.most - best.0 < TOLERANCE / 2.0 || 2.0 * best.0 >= enough {
+        let is_known = 2.0 * best.0 >= enough || 2.0 * next.most < needed;
+        if is_known || next.most - best.0 < TOLERANCE / 2.0 {
             break;
         }
         let half = next.half / 2.0;
@@ -91,9 +125,11 @@ pub(super) fn largest_disc(rings: &[&[Point]], enough: f64) -> (f64, Point) {
 
 /// Whether a disc of this diameter fits, to a centimetre.
 pub(super) fn is_as_wide_as(ring: &[Point], width: f64) -> bool {
-    // Most rooms are rectangles, in whose middle it is; any place will do.
     let least = width - 0.01;
-    2.0 * distance(&[ring], bounds(ring).center()) >= least || largest_disc(&[ring], width).0 >= least
+    let extent = bounds(ring);
+    // Most rooms are rectangles, in whose middle it is; any place will do.
+    let is_at_middle = || 2.0 * Border::of(&[ring]).distance(extent.center()) >= least;
+    extent.size().min_element() >= least && (is_at_middle() || search(&[ring], width, least).0 >= least)
 }
 
 /// A point well inside a ring.
