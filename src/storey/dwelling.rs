@@ -7,10 +7,14 @@ use super::disc::{is_as_wide_as, is_simple};
 use super::fill::{DOOR_STRETCH, Filling, Floor, LIGHT_EACH, Slice, WINDOW_STRETCH, Wish, fill, needed};
 use super::hall::Hall;
 use super::ring::{Axis, Ring, area, bounds, join, shared_length, split, total_length};
-use super::spine::{Fixed, FixedKind, Ground, Row, Spine, StripRoom, extent, settle, trim, turned_ring_back};
+use super::spine::{
+    Band, Fixed, FixedKind, Ground, Row, Spine, StripRoom, extent, settle, trim, turned_ring_back,
+};
 use super::thin::{Rules, has_thin_parts, trade_thin_parts};
 use super::typology::{Light, Programme, RoomNeeds, Typologies};
 
+/// Where the programme of its size does not come out, a smaller one may: so many are tried.
+pub(super) const MOST_PROGRAMMES: usize = 4;
 /// Ways to fill the rows that are tried for each place of the strip.
 const TRIES: u32 = 6;
 /// Plans that are drawn of the best fillings until one is sound.
@@ -120,25 +124,45 @@ pub(super) struct Division {
     spine: Spine,
 }
 
-/// All ways to divide the ground of a task; they are the same for all programmes.
-pub(super) fn divisions(task: Task<'_>) -> Vec<Division> {
-    let mut found = Vec::new();
-    for is_turned in [false, true] {
-        let turned;
-        let ground = match is_turned {
-            false => task.ground,
-            true => {
-                turned = task.ground.turned();
-                &turned
-            }
-        };
-        let port = task.port.map(|port| if is_turned { port.turned() } else { port });
-        found.extend(schemes(ground, port, task, is_turned).into_iter().filter_map(|(scheme, ports)| {
-            let spine = spine_of(ground, &scheme, &ports)?;
-            Some(Division { scheme, spine })
-        }));
+/// A ground, seen from both sides, and how it is cut along strips so far: ways in at other places mean the same cuts.
+pub(super) struct Strips<'a> {
+    ground: &'a Ground,
+    turned: Ground,
+    bands: Vec<((bool, f64, f64), Option<Band>)>,
+}
+
+impl<'a> Strips<'a> {
+    /// Of a ground that is not cut yet.
+    pub(super) fn of(ground: &'a Ground) -> Self {
+        Self { ground, turned: ground.turned(), bands: Vec::new() }
     }
-    found
+
+    fn side(&self, is_turned: bool) -> &Ground {
+        if is_turned { &self.turned } else { self.ground }
+    }
+
+    fn spine(&mut self, scheme: &Scheme, ports: &[Fixed]) -> Option<Spine> {
+        let key = (scheme.is_turned, scheme.low, scheme.high);
+        let index = self.bands.iter().position(|(known, _)| *known == key).unwrap_or_else(|| {
+            let band = Band::cut(self.side(scheme.is_turned), (scheme.low, scheme.high));
+            self.bands.push((key, band));
+            self.bands.len() - 1
+        });
+        spine_of(self.side(scheme.is_turned), self.bands[index].1.as_ref()?, scheme, ports)
+    }
+
+    /// All ways to divide the ground of a task; they are the same for all programmes.
+    pub(super) fn divisions(&mut self, task: Task<'_>) -> Vec<Division> {
+        let mut found = Vec::new();
+        for is_turned in [false, true] {
+            let port = task.port.map(|port| if is_turned { port.turned() } else { port });
+            for (scheme, ports) in schemes(self.side(is_turned), port, task, is_turned) {
+                let spine = self.spine(&scheme, &ports);
+                found.extend(spine.map(|spine| Division { scheme, spine }));
+            }
+        }
+        found
+    }
 }
 
 /// The best plans of a level, the best first, so many at most; empty if none is sound.
@@ -149,9 +173,6 @@ pub(super) fn plan(
     stream: &mut Stream,
 ) -> Vec<Planned> {
     let wishes = wishes(task);
-    if !has_light_for(task, &wishes) {
-        return Vec::new();
-    }
     let mut drafts = Vec::new();
     for division in divisions {
         let spine = &division.spine;
@@ -182,11 +203,14 @@ fn hall_of<'a>(task: Task<'a>, scheme: &Scheme) -> Option<Hall<'a>> {
 }
 
 /// The level above or below one that is planned: with the same strip and stairs.
-pub(super) fn plan_alike(task: Task<'_>, scheme: &Scheme, stream: &mut Stream) -> Vec<Planned> {
+pub(super) fn plan_alike(
+    task: Task<'_>,
+    scheme: &Scheme,
+    strips: &mut Strips<'_>,
+    stream: &mut Stream,
+) -> Vec<Planned> {
     let wishes = wishes(task);
-    let turned = task.ground.turned();
-    let ground = if scheme.is_turned { &turned } else { task.ground };
-    let Some(spine) = spine_of(ground, scheme, &[]) else { return Vec::new() };
+    let Some(spine) = strips.spine(scheme, &[]) else { return Vec::new() };
     let floor = Floor { rows: &spine.rows, hall: None };
     let Some(filling) = fill_or_more(floor, &wishes, 4 * TRIES, stream) else { return Vec::new() };
     let division = Division { scheme: scheme.clone(), spine };
@@ -209,11 +233,25 @@ fn draw_best(
     plans
 }
 
-/// Whether the ground has windows enough for the programme at all.
-fn has_light_for(task: Task<'_>, wishes: &[Wish<'_>]) -> bool {
-    let light: f64 = total_length(&task.ground.light(&task.ground.ring));
-    let needing = wishes.iter().filter(|wish| wish.needs.light == Light::Required).count();
-    light >= LIGHT_EACH * needing as f64
+/// The programmes for a ground that fit a floor of so many square metres, the largest first, without those that it has not windows
+/// enough for.
+pub(super) fn fitting<'a>(
+    programmes: &'a [Programme],
+    floor: f64,
+    ground: &Ground,
+    typologies: &Typologies,
+) -> Vec<&'a Programme> {
+    let light: f64 = total_length(&ground.light(&ground.ring));
+    let needs_light = |room_type: &String| {
+        typologies.rooms.get(room_type).is_some_and(|needs| needs.light == Light::Required)
+    };
+    let is_lit = |programme: &&Programme| {
+        let rooms = programme.rooms.iter().filter(|(room_type, _)| needs_light(room_type));
+        let needing: usize = rooms.map(|(_, areas)| areas.all().len()).sum();
+        light >= LIGHT_EACH * needing as f64
+    };
+    let smaller = programmes.iter().rev().filter(|programme| programme.from <= floor);
+    smaller.take(MOST_PROGRAMMES).filter(is_lit).collect()
 }
 
 /// The rooms of the programme in the rows; where there are more rows than that, with a storeroom, which is the last wish.
@@ -351,7 +389,7 @@ fn stairs_beside(
     found
 }
 
-fn spine_of(ground: &Ground, scheme: &Scheme, ports: &[Fixed]) -> Option<Spine> {
+fn spine_of(ground: &Ground, band: &Band, scheme: &Scheme, ports: &[Fixed]) -> Option<Spine> {
     let mut fixed = ports.to_vec();
     let mut flight = None;
     match scheme.stairs {
@@ -367,9 +405,9 @@ fn spine_of(ground: &Ground, scheme: &Scheme, ports: &[Fixed]) -> Option<Spine> 
         Some(Stairs::InStrip(from, to, is_above)) => flight = Some((from, to, is_above)),
         None => {}
     }
-    Spine::with_room_in_strip(
+    Spine::of_band(
         ground,
-        (scheme.low, scheme.high),
+        band,
         &fixed,
         flight.map(|(from, to, is_above)| StripRoom {
             from,

@@ -34,6 +34,18 @@ pub(super) struct Wish<'a> {
     pub(super) needs: &'a RoomNeeds,
 }
 
+impl Wish<'_> {
+    /// Metres along a row and across it that its room has at least.
+    fn least(&self) -> f64 {
+        self.needs.width + MORE_THAN_NEEDED
+    }
+
+    /// Metres of outer wall that its room usually takes.
+    fn stretch(&self) -> f64 {
+        0.8 * self.area.sqrt()
+    }
+}
+
 /// A room's place in a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Slice {
@@ -92,16 +104,18 @@ pub(super) fn fill(
     }
     // Rooms that need windows share what light there is.
     let lengths: Vec<f64> = rows.iter().map(|row| row.light_between(row.from - 1.0, row.to + 1.0)).collect();
-    let needing = wishes.iter().filter(|wish| wish.needs.light == Light::Required).count();
-    if lengths.iter().sum::<f64>() < LIGHT_EACH * needing as f64 {
+    let needing = wishes.iter().filter(|wish| wish.needs.light == Light::Required);
+    let mut stretches: Vec<f64> = needing.map(|wish| wish.stretch()).collect();
+    stretches.sort_by(f64::total_cmp);
+    let housed: usize = lengths.iter().map(|&length| housed_behind(length, &stretches)).sum();
+    if housed < stretches.len() || lengths.iter().sum::<f64>() < LIGHT_EACH * stretches.len() as f64 {
         return None;
     }
     // Each row takes one of them at least.
-    let suits = |row: &Row| {
-        let least = row.depth().min(row.length()) - MORE_THAN_NEEDED;
-        wishes.iter().any(|wish| wish.needs.width <= least)
-    };
-    if !rows.iter().all(suits) {
+    let suits = |row: &Row, wish: &Wish<'_>| wish.least() <= row.depth().min(row.length());
+    let is_used = |row: &Row| wishes.iter().any(|wish| suits(row, wish));
+    let is_housed = |wish: &Wish<'_>| rows.iter().any(|row| suits(row, wish));
+    if !rows.iter().all(is_used) || !wishes.iter().all(is_housed) {
         return None;
     }
     let mut best: Option<Filling> = None;
@@ -118,6 +132,17 @@ pub(super) fn fill(
     best
 }
 
+/// How many rooms that take these stretches, rising, have light behind so many metres of outer wall at most.
+fn housed_behind(length: f64, stretches: &[f64]) -> usize {
+    let mut rest = length;
+    let has_light = |stretch: &&f64| {
+        let is_lit = rest >= WINDOW_STRETCH;
+        rest -= **stretch;
+        is_lit
+    };
+    stretches.iter().take_while(has_light).count()
+}
+
 /// The wishes of each row in an order.
 fn shuffled(
     rows: &[Row],
@@ -129,6 +154,8 @@ fn shuffled(
     let available: f64 = rows.iter().map(Row::area).sum();
     let mut room: Vec<f64> = rows.iter().map(|row| row.area() * total / available).collect();
     let mut light = lengths.to_vec();
+    let mut free: Vec<f64> = rows.iter().map(Row::length).collect();
+    let depths: Vec<f64> = rows.iter().map(Row::depth).collect();
     let mut order: Vec<(f64, usize)> = wishes
         .iter()
         .enumerate()
@@ -141,7 +168,8 @@ fn shuffled(
         let mut best: Option<(f64, usize)> = None;
         for row in 0..rows.len() {
             let needs_light = wish.needs.light == Light::Required;
-            if needs_light && light[row] < WINDOW_STRETCH {
+            let is_wide = wish.least() <= free[row].min(depths[row]);
+            if !is_wide || (needs_light && light[row] < WINDOW_STRETCH) {
                 continue;
             }
             let is_lit = lengths[row] > WINDOW_STRETCH;
@@ -153,7 +181,8 @@ fn shuffled(
         }
         let (_, row) = best?;
         room[row] -= wish.area;
-        light[row] -= wish.area.sqrt() * 0.8;
+        free[row] -= wish.least();
+        light[row] -= wish.stretch();
         let at = stream.below(chosen[row].len() + 1);
         chosen[row].insert(at, index);
     }
@@ -218,7 +247,7 @@ fn judge_row(row: &Row, wishes: &[Wish<'_>], slices: &mut [Slice], scale: f64) -
     for slice in &mut *slices {
         let needs = wishes[slice.wish].needs;
         let (length, depth) = (slice.to - slice.from, row.depth());
-        if length.min(depth) < needs.width + MORE_THAN_NEEDED {
+        if length.min(depth) < wishes[slice.wish].least() {
             return None;
         }
         if needs.light == Light::Required && row.light_between(slice.from, slice.to) < WINDOW_STRETCH {

@@ -5,7 +5,7 @@ use crate::layout::seed::Stream;
 
 use super::brief::Brief;
 use super::disc::is_as_wide_as;
-use super::dwelling::{Cell, Division, Port, Task, divisions, plan, studio};
+use super::dwelling::{Cell, Division, Port, Strips, Task, fitting, plan, studio};
 use super::faces::Partition;
 use super::links::link;
 use super::open::{End, part_cells};
@@ -435,13 +435,13 @@ pub(super) fn flat_at(
         hall_width,
         has_stairs: false,
     };
+    let mut strips = Strips::of(flat);
     let mut ways: [Option<Vec<Division>>; 3] = [const { None }; 3];
-    let fitting = programmes.iter().rev().filter(|programme| programme.from <= floor).take(4);
-    for programme in fitting {
+    for programme in fitting(programmes, floor, flat, typologies) {
         let mut best: Option<(f64, Vec<Cell>)> = None;
         for (way, &at) in ways.iter_mut().zip(&shares) {
             let task = task(at, programme);
-            let divisions = way.get_or_insert_with(|| divisions(task));
+            let divisions = way.get_or_insert_with(|| strips.divisions(task));
             for planned in plan(task, divisions, 1, stream) {
                 if best.as_ref().is_none_or(|(known, _)| planned.cost < *known) {
                     best = Some((planned.cost, planned.cells));

@@ -3,7 +3,9 @@
 use crate::layout::seed::Stream;
 
 use super::brief::Brief;
-use super::dwelling::{Cell, Division, Planned, Port, Task, divisions, plan, plan_alike, studio};
+use super::dwelling::{
+    Cell, Division, MOST_PROGRAMMES, Planned, Port, Strips, Task, fitting, plan, plan_alike, studio,
+};
 use super::ring::area;
 use super::spine::Ground;
 use super::typology::Typologies;
@@ -27,9 +29,9 @@ pub(super) fn house(
     let list = |name: &Option<String>| name.as_ref().and_then(|name| typologies.programmes.get(name));
     let programmes = list(&brief.typology.programme)?;
     let hall = brief.typology.hall.as_deref().unwrap_or("corridor");
+    let mut strips = Strips::of(ground);
     let mut ways: Vec<Option<Vec<Division>>> = vec![None; ports.len()];
-    // Where the programme of its size does not come out, a smaller one may.
-    for programme in programmes.iter().rev().filter(|programme| programme.from <= floor).take(4) {
+    for programme in fitting(programmes, floor, ground, typologies) {
         let mut plans = Vec::new();
         let task = Task {
             ground,
@@ -42,7 +44,7 @@ pub(super) fn house(
         };
         for (port, way) in ports.iter().zip(&mut ways) {
             let task = Task { port: Some(*port), ..task };
-            let divisions = way.get_or_insert_with(|| divisions(task));
+            let divisions = way.get_or_insert_with(|| strips.divisions(task));
             plans.extend(plan(task, divisions, GROUND_PLANS.div_ceil(2), stream));
             if plans.iter().any(|planned| planned.cost < GOOD_LEVEL) {
                 break;
@@ -54,13 +56,15 @@ pub(super) fn house(
                 return Some(vec![one_unit(planned.cells)]);
             }
             let uppers = list(&brief.typology.upper_programme)?;
-            let upper =
-                uppers.iter().rev().filter(|programme| programme.from <= floor * 1.25).take(4).find_map(
-                    |programme| {
-                        let task = Task { port: None, programme, ..task };
-                        plan_alike(task, &planned.scheme, stream).into_iter().next()
-                    },
-                );
+            let upper = uppers
+                .iter()
+                .rev()
+                .filter(|programme| programme.from <= floor * 1.25)
+                .take(MOST_PROGRAMMES)
+                .find_map(|programme| {
+                    let task = Task { port: None, programme, ..task };
+                    plan_alike(task, &planned.scheme, &mut strips, stream).into_iter().next()
+                });
             if let Some(Planned { cells, .. }) = upper {
                 return Some(vec![one_unit(planned.cells), one_unit(cells)]);
             }

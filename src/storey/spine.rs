@@ -120,9 +120,13 @@ impl Row {
         let span =
             |piece: Segment| (piece.start.x.min(piece.end.x), piece.start.x.max(piece.end.x), piece.length());
         let light = ground.light(&ring).into_iter().map(span).collect();
-        let contact =
-            ring::shared(&ring, strip).into_iter().map(span).map(|(from, to, _)| (from, to)).collect();
+        let contact = contact(&ring, strip);
         Self { ring, from, to, sums, light, contact }
+    }
+
+    /// The row beside another form of its strip.
+    fn beside(&self, strip: &[Point]) -> Self {
+        Self { contact: contact(&self.ring, strip), ..self.clone() }
     }
 
     /// Square metres.
@@ -198,6 +202,12 @@ fn take_largest(mut pieces: Vec<Ring>, taken: &mut Vec<Ring>, left_over: &mut Ve
     left_over.extend(pieces);
 }
 
+/// From where to where along a strip a ring borders on it.
+fn contact(ring: &[Point], strip: &[Point]) -> Vec<(f64, f64)> {
+    let reach = |piece: Segment| (piece.start.x.min(piece.end.x), piece.start.x.max(piece.end.x));
+    ring::shared(ring, strip).into_iter().map(reach).collect()
+}
+
 /// An edge of a ring that does not run across the strip.
 struct SlopedLine {
     from: f64,
@@ -238,6 +248,54 @@ pub(super) struct StripRoom {
     pub(super) is_above: bool,
 }
 
+/// A ground that is cut along a strip between two heights, before anything is taken out of its rows: many ways of dividing it begin
+/// with the same cuts.
+#[derive(Clone, Debug)]
+pub(super) struct Band {
+    strip: Ring,
+    /// Below the strip and above it.
+    sides: [Side; 2],
+    left_over: Vec<Ring>,
+}
+
+/// What is at one side of a strip.
+#[derive(Clone, Debug)]
+struct Side {
+    rings: Vec<Ring>,
+    /// The rows that they are, where no slice is taken out.
+    rows: Vec<Row>,
+    /// Those that are too small for a row.
+    small: Vec<Ring>,
+}
+
+impl Band {
+    /// `None` where the strip is no single piece.
+    pub(super) fn cut(ground: &Ground, (low, high): (f64, f64)) -> Option<Self> {
+        let (below, rest) = split(&ground.ring, Axis::Y, low);
+        let mut above = Vec::new();
+        let mut strips = Vec::new();
+        for ring in rest {
+            let (strip, beyond) = split(&ring, Axis::Y, high);
+            strips.extend(strip);
+            above.extend(beyond);
+        }
+        strips.sort_by(|a, b| area(b).total_cmp(&area(a)));
+        let mut strips = strips.into_iter();
+        let strip = strips.next()?;
+        let left_over: Vec<Ring> = strips.collect();
+        // A second strip of any size is a wing of its own.
+        if left_over.iter().map(|ring| area(ring)).sum::<f64>() > LEAST_ROW {
+            return None;
+        }
+        let sides = [below, above].map(|rings| {
+            let (kept, small): (Vec<Ring>, Vec<Ring>) = rings.iter().cloned().partition(|ring| is_row(ring));
+            let rows = kept.into_iter().map(|ring| Row::of(ring, ground, &strip)).collect();
+            Side { rings, rows, small }
+        });
+        Some(Self { strip, sides, left_over })
+    }
+}
+
 /// A ground with its strip and rows.
 #[derive(Clone, Debug)]
 pub(super) struct Spine {
@@ -255,52 +313,51 @@ impl Spine {
     /// Cuts a ground along a strip between two heights. `None` where the strip is no single piece, or a fixed slice has no
     /// place.
     pub(super) fn new(ground: &Ground, low: f64, high: f64, fixed: &[Fixed]) -> Option<Self> {
-        Self::with_room_in_strip(ground, (low, high), fixed, None)
+        Self::of_band(ground, &Band::cut(ground, (low, high))?, fixed, None)
     }
 
-    /// As [`Self::new`]; a room, number 0, is cut out of the strip.
-    pub(super) fn with_room_in_strip(
+    /// As [`Self::new`], of a ground that is cut; a room, number 0, is cut out of the strip.
+    pub(super) fn of_band(
         ground: &Ground,
-        (low, high): (f64, f64),
+        band: &Band,
         fixed: &[Fixed],
         inside: Option<StripRoom>,
     ) -> Option<Self> {
-        let (below, rest) = split(&ground.ring, Axis::Y, low);
-        let mut pieces: [Vec<Ring>; 2] = [below, Vec::new()];
-        let mut strips = Vec::new();
-        for ring in rest {
-            let (strip, above) = split(&ring, Axis::Y, high);
-            strips.extend(strip);
-            pieces[1].extend(above);
-        }
-        strips.sort_by(|a, b| area(b).total_cmp(&area(a)));
-        let mut strips = strips.into_iter();
-        let mut strip = strips.next()?;
-        let mut left_over: Vec<Ring> = strips.collect();
-        // A second strip of any size is a wing of its own.
-        if left_over.iter().map(|ring| area(ring)).sum::<f64>() > LEAST_ROW {
-            return None;
-        }
+        let mut strip = band.strip.clone();
+        let mut left_over = band.left_over.clone();
         let mut rooms = Vec::new();
         if let Some(room) = inside {
             let (rest, ring) = cut_out(&strip, room)?;
             strip = rest;
             rooms.push((0, ring));
         }
-        let mut kept = Vec::new();
-        for (side, rings) in pieces.into_iter().enumerate() {
+        // What slices leave of a side; the rows of the band where there are none.
+        let mut kept: [Option<Vec<Ring>>; 2] = [None, None];
+        for (index, side) in band.sides.iter().enumerate() {
             let own: Vec<Fixed> =
-                fixed.iter().filter(|slice| slice.is_above == (side == 1)).copied().collect();
-            let cut = take_fixed(rings, &own, &mut left_over)?;
+                fixed.iter().filter(|slice| slice.is_above == (index == 1)).copied().collect();
+            if own.is_empty() {
+                left_over.extend(side.small.iter().cloned());
+                continue;
+            }
+            let cut = take_fixed(side.rings.clone(), &own, &mut left_over)?;
             for (slice, ring) in cut.taken {
                 match slice.kind {
                     FixedKind::Port => strip = join(&strip, &ring)?,
                     FixedKind::Room(number) => rooms.push((number, ring)),
                 }
             }
-            kept.extend(cut.kept);
+            kept[index] = Some(cut.kept);
         }
-        let rows = kept.into_iter().map(|ring| Row::of(ring, ground, &strip)).collect();
+        let is_whole = strip == band.strip;
+        let rows_of = |(side, kept): (&Side, Option<Vec<Ring>>)| -> Vec<Row> {
+            match kept {
+                Some(rings) => rings.into_iter().map(|ring| Row::of(ring, ground, &strip)).collect(),
+                None if is_whole => side.rows.clone(),
+                None => side.rows.iter().map(|row| row.beside(&strip)).collect(),
+            }
+        };
+        let rows = band.sides.iter().zip(kept).flat_map(rows_of).collect();
         Some(Self { strip, rows, fixed: rooms, left_over })
     }
 }
