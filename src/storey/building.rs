@@ -19,6 +19,7 @@ use super::facade::Neighbourhood;
 use super::faces::Partition;
 use super::flats::flats;
 use super::footprint::{Footprint, Site};
+use super::hopeless::{Hopeless, Kind};
 use super::house::{house, outer_ports};
 use super::links::{Link, Links, link};
 use super::open::{WAYS, one_room, open_plan, within_limits};
@@ -81,6 +82,7 @@ struct Sketch<'a> {
     grounds: &'a [Ground],
     brief: &'a Brief<'a>,
     typologies: &'a Typologies,
+    hopeless: &'a Hopeless,
 }
 
 /// A level.
@@ -124,6 +126,7 @@ pub(crate) fn plan_building(
     }
     let kinds = briefs(footprint, measures, typologies, choices);
     let mut refused = Vec::new();
+    let hopeless = Hopeless::default();
     for (rung, brief) in kinds.iter().enumerate() {
         let grounds = outline.grounds_that_fill(brief.typology.exterior, brief.storeys);
         if grounds.is_empty() {
@@ -132,7 +135,7 @@ pub(crate) fn plan_building(
         }
         for attempt in 0..TRIES {
             let stream = building_stream(choices.seed, &footprint.id, &format!("{} {attempt}", brief.name));
-            let sketch = Sketch { grounds: &grounds, brief, typologies };
+            let sketch = Sketch { grounds: &grounds, brief, typologies, hopeless: &hopeless };
             match storeys(sketch, footprint.flats, attempt, stream) {
                 Ok(storeys) => {
                     let rung = (rung as u32).min(1);
@@ -155,7 +158,7 @@ pub(crate) fn plan_building(
     if grounds.is_empty() {
         grounds = vec![Ground { ring: outline.outer.clone(), facade: outline.facade.clone(), wall: 0.0 }];
     }
-    let sketch = Sketch { grounds: &grounds, brief: first, typologies };
+    let sketch = Sketch { grounds: &grounds, brief: first, typologies, hopeless: &hopeless };
     let (storeys, rung) = simplest(sketch);
     Some(finished(footprint, &outline, first, (storeys, rung, refused), measures.area))
 }
@@ -167,7 +170,8 @@ fn storeys(
     attempt: usize,
     mut stream: Stream,
 ) -> Result<Vec<Storey>, String> {
-    let Sketch { grounds, brief, typologies } = sketch;
+    let Sketch { grounds, brief, typologies, hopeless } = sketch;
+    let kind = Kind { brief, typologies, hopeless };
     let main = brief.typology.main.as_deref().unwrap_or("generic");
     let is_house = brief.typology.plan == PlanKind::House;
     // The kinds of levels: the ground floor, and what stands on it.
@@ -175,11 +179,9 @@ fn storeys(
         PlanKind::OneRoom => Some(vec![one_room(grounds, main)]),
         PlanKind::House if grounds.len() > 1 => None,
         PlanKind::House => house(&grounds[0], brief, typologies, &mut stream),
-        PlanKind::Flats => {
-            flats(grounds, (brief, typologies), known_flats, attempt, &mut stream).map(|cells| vec![cells])
-        }
+        PlanKind::Flats => flats(grounds, kind, known_flats, attempt, &mut stream).map(|cells| vec![cells]),
         PlanKind::Corridor | PlanKind::CorridorFlats => {
-            corridors(grounds, brief, typologies, attempt, &mut stream).map(|cells| vec![cells])
+            corridors(grounds, kind, attempt, &mut stream).map(|cells| vec![cells])
         }
         PlanKind::Open => open_plan(grounds, brief, typologies, attempt).map(|cells| vec![cells]),
     };
@@ -208,7 +210,7 @@ fn storeys(
 
 /// The ground floor with the room that people come into, where the kind has one.
 fn entrance_floor(sketch: Sketch<'_>, cells: &[Cell]) -> Option<Vec<Cell>> {
-    let Sketch { grounds, brief, typologies } = sketch;
+    let Sketch { grounds, brief, typologies, .. } = sketch;
     let wanted = typologies.rooms.get_key_value(brief.typology.entrance.as_ref()?)?;
     let ports = grounds.iter().flat_map(outer_ports);
     ports.into_iter().find_map(|port| with_entrance_room(cells, port, brief.typology, wanted))
@@ -216,7 +218,7 @@ fn entrance_floor(sketch: Sketch<'_>, cells: &[Cell]) -> Option<Vec<Cell>> {
 
 /// A level with its doors and windows.
 fn storey(sketch: Sketch<'_>, cells: Vec<Cell>, is_ground: bool, stream: &mut Stream) -> Storey {
-    let Sketch { grounds, brief, typologies } = sketch;
+    let Sketch { grounds, brief, typologies, .. } = sketch;
     let cells = within_limits(cells);
     let partition = Partition::new(&cells, typologies, brief.typology.interior);
     let links = if is_ground {
@@ -242,7 +244,7 @@ fn storey(sketch: Sketch<'_>, cells: Vec<Cell>, is_ground: bool, stream: &mut St
 
 /// Storeys that always come out: open ones with stairs, or one room on each.
 fn simplest(sketch: Sketch<'_>) -> (Vec<Storey>, u32) {
-    let Sketch { grounds, brief, typologies } = sketch;
+    let Sketch { grounds, brief, typologies, .. } = sketch;
     let mut stream = building_stream(0, "", "simplest");
     let mut open = brief.typology.clone();
     open.main = Some("generic".to_owned());

@@ -8,6 +8,7 @@ use super::disc::is_as_wide_as;
 use super::dwelling::{Cell, Port};
 use super::fill::DOOR_STRETCH;
 use super::flats::flat_at;
+use super::hopeless::{Hopeless, Kind};
 use super::house::outer_port;
 use super::ring::{Axis, Ring, area, bounds, join, longest, shared, split, turned_back};
 use super::spine::{Fixed, FixedKind, Ground, Row, Spine, extent, settle};
@@ -65,6 +66,7 @@ struct Task<'a> {
     ground: &'a Ground,
     brief: &'a Brief<'a>,
     typologies: &'a Typologies,
+    hopeless: &'a Hopeless,
     hall: &'a str,
     main: &'a str,
     module: (f64, f64),
@@ -79,11 +81,11 @@ struct Task<'a> {
 /// One level, alike on all storeys; `None` where it does not come out. Later attempts are plainer.
 pub(super) fn corridors(
     grounds: &[Ground],
-    brief: &Brief<'_>,
-    typologies: &Typologies,
+    kind: Kind<'_>,
     attempt: usize,
     stream: &mut Stream,
 ) -> Option<Vec<Cell>> {
+    let Kind { brief, typologies, hopeless } = kind;
     let mut rings = Vec::new();
     for ground in grounds {
         compact(ground.ring.clone(), &mut rings);
@@ -95,6 +97,7 @@ pub(super) fn corridors(
         ground: whole,
         brief,
         typologies,
+        hopeless,
         hall: brief.typology.hall.as_deref()?,
         main: brief.typology.main.as_deref().unwrap_or("studio"),
         module: brief.typology.module?,
@@ -472,7 +475,8 @@ fn room_cells(
     if task.brief.typology.plan == PlanKind::CorridorFlats && room_type == task.main {
         let border = longest(shared(&ring, strip))?;
         let flat = ground.part(ring);
-        let cells = flat_at(&flat, border, task.brief, task.typologies, task.stream)?;
+        let kind = Kind { brief: task.brief, typologies: task.typologies, hopeless: task.hopeless };
+        let cells = flat_at(&flat, border, kind, task.stream)?;
         task.unit += 1;
         return Some(cells.into_iter().map(|cell| Cell { unit: Some(task.unit), ..cell }).collect());
     }

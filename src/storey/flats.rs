@@ -7,6 +7,7 @@ use super::brief::Brief;
 use super::disc::is_as_wide_as;
 use super::dwelling::{Cell, Division, Port, Strips, Task, fitting, plan, studio};
 use super::faces::Partition;
+use super::hopeless::Kind;
 use super::links::link;
 use super::open::{End, part_cells};
 use super::ring::{
@@ -56,13 +57,14 @@ const GOOD_FLAT: f64 = 5.0;
 /// One level of flats, alike on all storeys; `None` where a section has no sound plan. The last attempt has more sections.
 pub(super) fn flats(
     grounds: &[Ground],
-    (brief, typologies): (&Brief<'_>, &Typologies),
+    kind: Kind<'_>,
     known: Option<u32>,
     attempt: usize,
     stream: &mut Stream,
 ) -> Option<Vec<Cell>> {
     let mut cells = Vec::new();
-    let mut landings = Landings { brief, typologies, attempt, unit: 0, stream };
+    let brief = kind.brief;
+    let mut landings = Landings { kind, attempt, unit: 0, stream };
     for ground in grounds {
         let wanted = known_section(grounds, brief, known).or(brief.typology.section).unwrap_or(USUAL_SECTION);
         let count = ((area(&ground.ring) / wanted).round() as usize).max(1);
@@ -79,8 +81,7 @@ pub(super) fn flats(
 
 /// The landings of a level that are planned so far.
 struct Landings<'a, 'b> {
-    brief: &'a Brief<'a>,
-    typologies: &'a Typologies,
+    kind: Kind<'a>,
     attempt: usize,
     /// Flats so far.
     unit: usize,
@@ -129,12 +130,12 @@ impl Landings<'_, '_> {
     }
 
     fn landing(&mut self, section: &Ground) -> Option<Vec<Cell>> {
-        landing(section, self.brief, self.typologies, &mut self.unit, self.stream)
+        landing(section, self.kind, &mut self.unit, self.stream)
     }
 
     fn loft(&mut self, section: &Ground) -> Option<Vec<Cell>> {
         let may_be = self.attempt >= LOFT_ATTEMPT;
-        if may_be { loft(section, self.typologies, &mut self.unit) } else { None }
+        if may_be { loft(section, self.kind.typologies, &mut self.unit) } else { None }
     }
 }
 
@@ -240,29 +241,23 @@ fn cuts(ring: &Ring, count: usize) -> Vec<(Axis, f64)> {
 }
 
 /// The stairs of a section and its flats.
-fn landing(
-    section: &Ground,
-    brief: &Brief<'_>,
-    typologies: &Typologies,
-    unit: &mut usize,
-    stream: &mut Stream,
-) -> Option<Vec<Cell>> {
+fn landing(section: &Ground, kind: Kind<'_>, unit: &mut usize, stream: &mut Stream) -> Option<Vec<Cell>> {
     let size = bounds(&section.ring).size();
     let first_turned = size.y > size.x;
     let turned = section.turned();
     let mut ways: Vec<(bool, Core)> = Vec::new();
     for is_turned in [first_turned, !first_turned] {
         let ground = if is_turned { &turned } else { section };
-        ways.extend(cores(ground, brief.storeys).into_iter().map(|core| (is_turned, core)));
+        ways.extend(cores(ground, kind.brief.storeys).into_iter().map(|core| (is_turned, core)));
     }
     // Two flats where there is floor for them, one flat else.
     let wants_two = area(&section.ring) >= TWO_FLATS;
     ways.sort_by_key(|(_, core)| core.has_two_flats() != wants_two);
     for (is_turned, core) in ways {
         let ground = if is_turned { &turned } else { section };
-        let Some(mut cells) = flats_at(ground, core, brief, typologies, stream) else { continue };
-        trade_thin_parts(&mut cells, Rules { typologies, fixed: None });
-        if !is_joined(&cells, brief, typologies, stream) {
+        let Some(mut cells) = flats_at(ground, core, kind, stream) else { continue };
+        trade_thin_parts(&mut cells, Rules { typologies: kind.typologies, fixed: None });
+        if !is_joined(&cells, kind, stream) {
             continue;
         }
         let first = *unit;
@@ -281,7 +276,8 @@ fn landing(
 }
 
 /// Whether stairs and lift are wide enough, and lead to all flats.
-fn is_joined(cells: &[Cell], brief: &Brief<'_>, typologies: &Typologies, stream: &mut Stream) -> bool {
+fn is_joined(cells: &[Cell], kind: Kind<'_>, stream: &mut Stream) -> bool {
+    let Kind { brief, typologies, .. } = kind;
     let mut shared = cells.iter().filter(|cell| cell.unit.is_none());
     let is_wide = |cell: &Cell| {
         let needs = typologies.rooms.get(&cell.room_type);
@@ -387,22 +383,17 @@ fn core(ground: &Ground, from: f64, is_top: bool, storeys: u32) -> Option<Core> 
     Some(Core { stairs, lift, flats })
 }
 
-fn flats_at(
-    ground: &Ground,
-    core: Core,
-    brief: &Brief<'_>,
-    typologies: &Typologies,
-    stream: &mut Stream,
-) -> Option<Vec<Cell>> {
+fn flats_at(ground: &Ground, core: Core, kind: Kind<'_>, stream: &mut Stream) -> Option<Vec<Cell>> {
     let mut cells = vec![Cell::shared(core.stairs.clone(), "stairs")];
     cells.extend(core.lift.map(|ring| Cell::shared(ring, "elevator")));
-    for (number, ring) in core.flats.into_iter().enumerate() {
-        let border = longest(shared(&ring, &core.stairs))?;
-        if border.length() < 1.2 {
-            return None;
-        }
-        let flat = ground.part(ring);
-        let rooms = flat_at(&flat, border, brief, typologies, stream)?;
+    let border = |ring: &Ring| longest(shared(ring, &core.stairs)).filter(|border| border.length() >= 1.2);
+    let floor = |ring: Ring| Some((border(&ring)?, ground.part(ring)));
+    let floors: Vec<(Segment, Ground)> = core.flats.into_iter().map(floor).collect::<Option<_>>()?;
+    if floors.iter().any(|(border, flat)| kind.hopeless.knows(&kind.floor(flat, *border))) {
+        return None;
+    }
+    for (number, (border, flat)) in floors.into_iter().enumerate() {
+        let rooms = flat_at(&flat, border, kind, stream)?;
         cells.extend(rooms.into_iter().map(|cell| Cell { unit: Some(number), ..cell }));
     }
     Some(cells)
@@ -412,10 +403,14 @@ fn flats_at(
 pub(super) fn flat_at(
     flat: &Ground,
     border: Segment,
-    brief: &Brief<'_>,
-    typologies: &Typologies,
+    kind: Kind<'_>,
     stream: &mut Stream,
 ) -> Option<Vec<Cell>> {
+    kind.hopeless.unless_known(kind.floor(flat, border), || best_flat(flat, border, kind, stream))
+}
+
+fn best_flat(flat: &Ground, border: Segment, kind: Kind<'_>, stream: &mut Stream) -> Option<Vec<Cell>> {
+    let Kind { brief, typologies, .. } = kind;
     let programmes = typologies.programmes.get(brief.typology.programme.as_deref()?)?;
     let floor = area(&flat.ring);
     let margin = 0.75f64.min(border.length() / 2.0);

@@ -30,6 +30,7 @@ mod flats;
 mod footprint;
 mod frame;
 mod hall;
+mod hopeless;
 mod house;
 mod links;
 mod open;

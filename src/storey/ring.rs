@@ -229,9 +229,11 @@ fn unfolded(ring: Ring) -> Vec<Ring> {
     rings.into_iter().map(|ring| without_straight_corners(&tidy(ring))).collect()
 }
 
-type Key = (i64, i64);
+/// A corner in steps of the grid.
+pub(super) type Key = (i64, i64);
 
-fn key(point: Point) -> Key {
+/// See [`Key`].
+pub(super) fn key(point: Point) -> Key {
     ((point.x * GRID).round() as i64, (point.y * GRID).round() as i64)
 }
 
