@@ -22,6 +22,9 @@ const MORE_THAN_NEEDED: f64 = 0.1;
 const INNER_WIDTH: f64 = 0.75;
 /// Longer rooms than this many times their width are corridors to look at.
 const SLENDER: f64 = 2.0;
+/// Cost of each metre that a room lacks of the width at which it is good to furnish: a bedroom that is too narrow for a double bed
+/// is worse than a hall that is two metres longer.
+const NARROW_COST: f64 = 4.0;
 
 /// A room that is wished for.
 #[derive(Clone, Debug)]
@@ -239,7 +242,25 @@ fn shares(chosen: &[usize], wishes: &[Wish<'_>], row: &Row) -> Vec<f64> {
     };
     let share =
         |&wish: &usize| if is_large(wish) { wishes[wish].area * for_large } else { small(wish) * for_small };
-    chosen.iter().map(share).collect()
+    let areas: Vec<f64> = chosen.iter().map(share).collect();
+    let good = |(&wish, &area): (&usize, &f64)| match wishes[wish].needs.good_width {
+        Some(width) if is_large(wish) => (width + MARGIN) * depth,
+        _ if is_large(wish) => (wishes[wish].needs.width + MARGIN) * depth,
+        _ => area,
+    };
+    let least: Vec<f64> = chosen.iter().zip(&areas).map(good).collect();
+    widened(&areas, &least).unwrap_or(areas)
+}
+
+/// Areas of which none is below its least: what is missing comes from the others, from each a part of what it can spare; `None` where
+/// they cannot.
+fn widened(areas: &[f64], least: &[f64]) -> Option<Vec<f64>> {
+    let pairs = || areas.iter().zip(least);
+    let missing: f64 = pairs().map(|(area, least)| (least - area).max(0.0)).sum();
+    let spare: f64 = pairs().map(|(area, least)| (area - least).max(0.0)).sum();
+    let taken = if missing > 0.0 { missing / spare } else { 0.0 };
+    (missing <= spare)
+        .then(|| pairs().map(|(area, least)| area.max(*least) - taken * (area - least).max(0.0)).collect())
 }
 
 fn judge_row(row: &Row, wishes: &[Wish<'_>], slices: &mut [Slice], scale: f64) -> Option<f64> {
@@ -257,7 +278,8 @@ fn judge_row(row: &Row, wishes: &[Wish<'_>], slices: &mut [Slice], scale: f64) -
         slice.is_at_strip = contact >= DOOR_STRETCH;
         slice.is_at_hall = slice.is_at_strip;
         let slenderness = length.max(depth) / length.min(depth);
-        cost += libm::log(scale).abs() + (slenderness - SLENDER).max(0.0);
+        let narrowness = needs.good_width.map_or(0.0, |good| (good - length.min(depth)).max(0.0));
+        cost += libm::log(scale).abs() + (slenderness - SLENDER).max(0.0) + NARROW_COST * narrowness;
     }
     for index in 0..slices.len() {
         if slices[index].is_at_hall {
@@ -287,4 +309,23 @@ pub(super) fn needed(rows: &[Row], slices: &[Slice]) -> Option<(f64, f64)> {
         (low.min(to - DOOR_STRETCH), high.max(from + DOOR_STRETCH))
     });
     (reach.0 < reach.1).then_some(reach)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn narrow_rooms_take_from_wide_ones_what_these_can_spare() {
+        assert_eq!(widened(&[10.0, 20.0, 16.0], &[14.0, 14.0, 14.0]), Some(vec![14.0, 17.0, 15.0]));
+        assert_eq!(widened(&[14.0, 20.0], &[14.0, 14.0]), Some(vec![14.0, 20.0]), "nothing is missing");
+        assert_eq!(widened(&[10.0, 15.0], &[14.0, 14.0]), None, "there is less than both need");
+    }
+
+    #[test]
+    fn light_is_for_as_many_rooms_as_have_a_stretch_of_it() {
+        assert_eq!(housed_behind(0.9, &[2.0, 2.0]), 0, "no window has a place");
+        assert_eq!(housed_behind(4.5, &[2.0, 3.0, 3.0]), 2);
+        assert_eq!(housed_behind(30.0, &[2.0, 3.0]), 2);
+    }
 }

@@ -68,3 +68,26 @@ impl Hopeless {
         planned
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_floor_on_which_nothing_came_out_is_not_tried_again() {
+        let floor = |light| Floor {
+            outline: vec![(0, 0), (4_000, 0), (4_000, 3_000)],
+            border: [(0, 0), (4_000, 0)],
+            light,
+            programme: None,
+            is_on_corridor: false,
+        };
+        let hopeless = Hopeless::default();
+        assert_eq!(hopeless.unless_known(floor(0), || None::<u32>), None);
+        assert!(hopeless.knows(&floor(0)) && !hopeless.knows(&floor(4_000)), "more light is another floor");
+        assert_eq!(hopeless.unless_known(floor(0), || Some(1)), None);
+        // What came out may come out again.
+        assert_eq!(hopeless.unless_known(floor(4_000), || Some(1)), Some(1));
+        assert_eq!(hopeless.unless_known(floor(4_000), || Some(2)), Some(2));
+    }
+}

@@ -35,6 +35,10 @@ pub struct Typologies {
 pub struct RoomNeeds {
     /// Metres of the smallest width.
     pub width: f64,
+    /// Metres of width from which on it can be furnished without narrow places, up to the middles of its walls: a narrower one is taken
+    /// where no other plan is better.
+    #[serde(default)]
+    pub good_width: Option<f64>,
     /// Whether it needs windows.
     #[serde(default)]
     pub light: Light,
