@@ -242,25 +242,7 @@ fn shares(chosen: &[usize], wishes: &[Wish<'_>], row: &Row) -> Vec<f64> {
     };
     let share =
         |&wish: &usize| if is_large(wish) { wishes[wish].area * for_large } else { small(wish) * for_small };
-    let areas: Vec<f64> = chosen.iter().map(share).collect();
-    let good = |(&wish, &area): (&usize, &f64)| match wishes[wish].needs.good_width {
-        Some(width) if is_large(wish) => (width + MARGIN) * depth,
-        _ if is_large(wish) => (wishes[wish].needs.width + MARGIN) * depth,
-        _ => area,
-    };
-    let least: Vec<f64> = chosen.iter().zip(&areas).map(good).collect();
-    widened(&areas, &least).unwrap_or(areas)
-}
-
-/// Areas of which none is below its least: what is missing comes from the others, from each a part of what it can spare; `None` where
-/// they cannot.
-fn widened(areas: &[f64], least: &[f64]) -> Option<Vec<f64>> {
-    let pairs = || areas.iter().zip(least);
-    let missing: f64 = pairs().map(|(area, least)| (least - area).max(0.0)).sum();
-    let spare: f64 = pairs().map(|(area, least)| (area - least).max(0.0)).sum();
-    let taken = if missing > 0.0 { missing / spare } else { 0.0 };
-    (missing <= spare)
-        .then(|| pairs().map(|(area, least)| area.max(*least) - taken * (area - least).max(0.0)).collect())
+    chosen.iter().map(share).collect()
 }
 
 fn judge_row(row: &Row, wishes: &[Wish<'_>], slices: &mut [Slice], scale: f64) -> Option<f64> {
@@ -314,13 +296,6 @@ pub(super) fn needed(rows: &[Row], slices: &[Slice]) -> Option<(f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn narrow_rooms_take_from_wide_ones_what_these_can_spare() {
-        assert_eq!(widened(&[10.0, 20.0, 16.0], &[14.0, 14.0, 14.0]), Some(vec![14.0, 17.0, 15.0]));
-        assert_eq!(widened(&[14.0, 20.0], &[14.0, 14.0]), Some(vec![14.0, 20.0]), "nothing is missing");
-        assert_eq!(widened(&[10.0, 15.0], &[14.0, 14.0]), None, "there is less than both need");
-    }
 
     #[test]
     fn light_is_for_as_many_rooms_as_have_a_stretch_of_it() {

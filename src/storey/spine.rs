@@ -224,8 +224,11 @@ impl SlopedLine {
             true => (edge.end, edge.start, 1.0),
             false => (edge.start, edge.end, -1.0),
         };
+        if high.x <= low.x {
+            return None;
+        }
         let slope = (high.y - low.y) / (high.x - low.x);
-        (high.x > low.x).then(|| Self { from: low.x, to: high.x, height: sign * low.y, slope: sign * slope })
+        Some(Self { from: low.x, to: high.x, height: sign * low.y, slope: sign * slope })
     }
 
     /// What it adds to the metres of the ring across the strip at a place along it.
