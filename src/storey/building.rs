@@ -80,9 +80,7 @@ pub struct PlanReport {
 #[derive(Clone, Copy)]
 struct Sketch<'a> {
     grounds: &'a [Ground],
-    brief: &'a Brief<'a>,
-    typologies: &'a Typologies,
-    hopeless: &'a Hopeless,
+    kind: Kind<'a>,
 }
 
 /// A level.
@@ -135,7 +133,7 @@ pub(crate) fn plan_building(
         }
         for attempt in 0..TRIES {
             let stream = building_stream(choices.seed, &footprint.id, &format!("{} {attempt}", brief.name));
-            let sketch = Sketch { grounds: &grounds, brief, typologies, hopeless: &hopeless };
+            let sketch = Sketch { grounds: &grounds, kind: Kind { brief, typologies, hopeless: &hopeless } };
             match storeys(sketch, footprint.flats, attempt, stream) {
                 Ok(storeys) => {
                     let rung = (rung as u32).min(1);
@@ -158,7 +156,8 @@ pub(crate) fn plan_building(
     if grounds.is_empty() {
         grounds = vec![Ground { ring: outline.outer.clone(), facade: outline.facade.clone(), wall: 0.0 }];
     }
-    let sketch = Sketch { grounds: &grounds, brief: first, typologies, hopeless: &hopeless };
+    let kind = Kind { brief: first, typologies, hopeless: &hopeless };
+    let sketch = Sketch { grounds: &grounds, kind };
     let (storeys, rung) = simplest(sketch);
     Some(finished(footprint, &outline, first, (storeys, rung, refused), measures.area))
 }
@@ -170,8 +169,8 @@ fn storeys(
     attempt: usize,
     mut stream: Stream,
 ) -> Result<Vec<Storey>, String> {
-    let Sketch { grounds, brief, typologies, hopeless } = sketch;
-    let kind = Kind { brief, typologies, hopeless };
+    let Sketch { grounds, kind } = sketch;
+    let Kind { brief, typologies, .. } = kind;
     let main = brief.typology.main.as_deref().unwrap_or("generic");
     let is_house = brief.typology.plan == PlanKind::House;
     // The kinds of levels: the ground floor, and what stands on it.
@@ -210,7 +209,7 @@ fn storeys(
 
 /// The ground floor with the room that people come into, where the kind has one.
 fn entrance_floor(sketch: Sketch<'_>, cells: &[Cell]) -> Option<Vec<Cell>> {
-    let Sketch { grounds, brief, typologies, .. } = sketch;
+    let Sketch { grounds, kind: Kind { brief, typologies, .. } } = sketch;
     let wanted = typologies.rooms.get_key_value(brief.typology.entrance.as_ref()?)?;
     let ports = grounds.iter().flat_map(outer_ports);
     ports.into_iter().find_map(|port| with_entrance_room(cells, port, brief.typology, wanted))
@@ -218,7 +217,7 @@ fn entrance_floor(sketch: Sketch<'_>, cells: &[Cell]) -> Option<Vec<Cell>> {
 
 /// A level with its doors and windows.
 fn storey(sketch: Sketch<'_>, cells: Vec<Cell>, is_ground: bool, stream: &mut Stream) -> Storey {
-    let Sketch { grounds, brief, typologies, .. } = sketch;
+    let Sketch { grounds, kind: Kind { brief, typologies, .. } } = sketch;
     let cells = within_limits(cells);
     let partition = Partition::new(&cells, typologies, brief.typology.interior);
     let links = if is_ground {
@@ -244,14 +243,14 @@ fn storey(sketch: Sketch<'_>, cells: Vec<Cell>, is_ground: bool, stream: &mut St
 
 /// Storeys that always come out: open ones with stairs, or one room on each.
 fn simplest(sketch: Sketch<'_>) -> (Vec<Storey>, u32) {
-    let Sketch { grounds, brief, typologies, .. } = sketch;
+    let Sketch { grounds, kind: Kind { brief, typologies, .. } } = sketch;
     let mut stream = building_stream(0, "", "simplest");
     let mut open = brief.typology.clone();
     open.main = Some("generic".to_owned());
     open.services.clear();
     open.compartment = Some(open.compartment.unwrap_or(LARGEST_HALL).min(LARGEST_HALL));
     let plain = Brief { typology: &open, ..brief.clone() };
-    let sketch = Sketch { brief: &plain, ..sketch };
+    let sketch = Sketch { kind: Kind { brief: &plain, ..sketch.kind }, ..sketch };
     // A ground floor, and one plan for all storeys above it.
     let mut levels = |cells: Vec<Cell>| -> Vec<Storey> {
         let mut levels = vec![storey(sketch, cells.clone(), true, &mut stream)];

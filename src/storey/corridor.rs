@@ -3,16 +3,15 @@
 use crate::geometry::Point;
 use crate::layout::seed::Stream;
 
-use super::brief::Brief;
 use super::disc::is_as_wide_as;
 use super::dwelling::{Cell, Port};
 use super::fill::DOOR_STRETCH;
 use super::flats::flat_at;
-use super::hopeless::{Hopeless, Kind};
+use super::hopeless::Kind;
 use super::house::outer_port;
 use super::ring::{Axis, Ring, area, bounds, join, longest, shared, split, turned_back};
 use super::spine::{Fixed, FixedKind, Ground, Row, Spine, extent, settle};
-use super::typology::{PlanKind, Typologies};
+use super::typology::PlanKind;
 use super::wings::{Wing, compact, tree};
 
 /// Metres along the corridor of stairs.
@@ -64,9 +63,7 @@ const PORT_HALF: f64 = 0.95;
 /// What a level along corridors is planned from.
 struct Task<'a> {
     ground: &'a Ground,
-    brief: &'a Brief<'a>,
-    typologies: &'a Typologies,
-    hopeless: &'a Hopeless,
+    kind: Kind<'a>,
     hall: &'a str,
     main: &'a str,
     module: (f64, f64),
@@ -85,7 +82,7 @@ pub(super) fn corridors(
     attempt: usize,
     stream: &mut Stream,
 ) -> Option<Vec<Cell>> {
-    let Kind { brief, typologies, hopeless } = kind;
+    let brief = kind.brief;
     let mut rings = Vec::new();
     for ground in grounds {
         compact(ground.ring.clone(), &mut rings);
@@ -95,9 +92,7 @@ pub(super) fn corridors(
     let mut wings = tree(rings, entrance)?;
     let mut task = Task {
         ground: whole,
-        brief,
-        typologies,
-        hopeless,
+        kind,
         hall: brief.typology.hall.as_deref()?,
         main: brief.typology.main.as_deref().unwrap_or("studio"),
         module: brief.typology.module?,
@@ -194,7 +189,7 @@ fn along_corridor(
     middle: f64,
     access: Access,
 ) -> Option<Vec<Cell>> {
-    let width = task.brief.typology.hall_width;
+    let width = task.kind.brief.typology.hall_width;
     let place = corridor_place(task, ground, middle);
     // Where a jog of the outline is in its way, it runs beside that.
     let Spine { mut strip, rows, fixed: rooms, mut left_over } = ASIDE.into_iter().find_map(|aside| {
@@ -238,7 +233,7 @@ fn along_corridor(
 
 /// Where the lower side of the corridor of a wing is: about the middle, or by a wall without light.
 fn corridor_place(task: &Task<'_>, ground: &Ground, middle: f64) -> f64 {
-    let width = task.brief.typology.hall_width;
+    let width = task.kind.brief.typology.hall_width;
     let (bottom, top) = extent(&ground.ring, Axis::Y);
     let length = bounds(&ground.ring).size().x;
     let depth = area(&ground.ring) / length;
@@ -246,7 +241,7 @@ fn corridor_place(task: &Task<'_>, ground: &Ground, middle: f64) -> f64 {
     let is_above_dark = above < below;
     let is_dark = !task.is_plain && below.min(above) < DARK_SIDE * length;
     let deepest =
-        if task.brief.typology.plan == PlanKind::CorridorFlats { DEEPEST_FLATS } else { DEEPEST_ROOMS };
+        if task.kind.brief.typology.plan == PlanKind::CorridorFlats { DEEPEST_FLATS } else { DEEPEST_ROOMS };
     if depth < TWO_ROWS || is_dark && depth - width < deepest {
         // One row, on the side with more light.
         return if is_above_dark { top - width + 0.1 } else { bottom - 0.1 };
@@ -294,12 +289,12 @@ fn fixed_slices(
             fixed.push(Fixed { is_above, from, to: from + 2.0 * PORT_HALF, kind: FixedKind::Port });
         }
     }
-    if task.brief.storeys > 1 {
+    if task.kind.brief.storeys > 1 {
         let is_above = is_darker_above(ground, (low, high));
         if access.has_stairs {
             add_stairs(&mut fixed, (left, right), is_above);
         }
-        if access.is_root && task.brief.storeys >= LIFT_STOREYS {
+        if access.is_root && task.kind.brief.storeys >= LIFT_STOREYS {
             add_lift(&mut fixed, (left, right), is_above);
         }
     }
@@ -401,7 +396,7 @@ fn row_cells(
     let most = if is_lit(row.from, row.to) { row.length() / 3.0 } else { row.length() };
     let mut used = 0.0;
     while let Some(&(room_type, wanted)) = task.services.first() {
-        let needs = task.typologies.rooms.get(room_type)?;
+        let needs = task.kind.typologies.rooms.get(room_type)?;
         let least = (wanted / row.depth()).max(needs.width + 0.2);
         let good = (row.depth() / SLENDEREST).min(MOST_SERVICE * wanted / row.depth()).max(least);
         let width = if used + good > most || left - good < 0.0 { least } else { good };
@@ -417,7 +412,7 @@ fn row_cells(
     let count = ((left / module).round() as usize).max(usize::from(left > 1.2));
     let dark = if row.light_between(row.from, row.to) < 1.0 { Some("storeroom") } else { None };
     for _ in 0..count {
-        let others = &task.brief.typology.others;
+        let others = &task.kind.brief.typology.others;
         let other = others.iter().find(|(_, weight)| task.stream.unit() < **weight);
         let room_type = dark.unwrap_or(other.map_or(task.main, |(room_type, _)| room_type));
         kinds.push((room_type.to_owned(), left / count as f64));
@@ -454,12 +449,12 @@ fn row_cells(
 
 /// The type of a room where it is wide and light enough for it; else another of the building's in a lit room, else a store.
 fn fitting_type(task: &Task<'_>, room_type: String, ring: &Ring, has_light: bool) -> String {
-    let needs = task.typologies.rooms.get(&room_type);
+    let needs = task.kind.typologies.rooms.get(&room_type);
     let needs_light = needs.is_none_or(|needs| needs.light == super::typology::Light::Required);
     if is_fit_for(task, &room_type, ring) && (!needs_light || has_light) {
         return room_type;
     }
-    let mut others = task.brief.typology.others.keys().filter(|_| has_light);
+    let mut others = task.kind.brief.typology.others.keys().filter(|_| has_light);
     others.find(|other| is_fit_for(task, other, ring)).map_or("storeroom", String::as_str).to_owned()
 }
 
@@ -472,11 +467,10 @@ fn room_cells(
     index: usize,
 ) -> Option<Vec<Cell>> {
     let Cell { ring, room_type, .. } = cell;
-    if task.brief.typology.plan == PlanKind::CorridorFlats && room_type == task.main {
+    if task.kind.brief.typology.plan == PlanKind::CorridorFlats && room_type == task.main {
         let border = longest(shared(&ring, strip))?;
         let flat = ground.part(ring);
-        let kind = Kind { brief: task.brief, typologies: task.typologies, hopeless: task.hopeless };
-        let cells = flat_at(&flat, border, kind, task.stream)?;
+        let cells = flat_at(&flat, border, task.kind, task.stream)?;
         task.unit += 1;
         return Some(cells.into_iter().map(|cell| Cell { unit: Some(task.unit), ..cell }).collect());
     }
@@ -490,7 +484,7 @@ fn room_cells(
 
 /// Whether a room is as wide as its type needs.
 fn is_fit_for(task: &Task<'_>, room_type: &str, ring: &Ring) -> bool {
-    task.typologies.rooms.get(room_type).is_none_or(|needs| is_as_wide_as(ring, needs.width))
+    task.kind.typologies.rooms.get(room_type).is_none_or(|needs| is_as_wide_as(ring, needs.width))
 }
 
 /// A bath at the corridor, on one side of the way into the room.

@@ -7,7 +7,7 @@ use super::brief::Brief;
 use super::disc::is_as_wide_as;
 use super::dwelling::{Cell, Division, Port, Strips, Task, fitting, plan, studio};
 use super::faces::Partition;
-use super::hopeless::Kind;
+use super::hopeless::{Floor, Kind};
 use super::links::link;
 use super::open::{End, part_cells};
 use super::ring::{
@@ -387,13 +387,15 @@ fn flats_at(ground: &Ground, core: Core, kind: Kind<'_>, stream: &mut Stream) ->
     let mut cells = vec![Cell::shared(core.stairs.clone(), "stairs")];
     cells.extend(core.lift.map(|ring| Cell::shared(ring, "elevator")));
     let border = |ring: &Ring| longest(shared(ring, &core.stairs)).filter(|border| border.length() >= 1.2);
-    let floor = |ring: Ring| Some((border(&ring)?, ground.part(ring)));
-    let floors: Vec<(Segment, Ground)> = core.flats.into_iter().map(floor).collect::<Option<_>>()?;
-    if floors.iter().any(|(border, flat)| kind.hopeless.knows(&kind.floor(flat, *border))) {
-        return None;
-    }
-    for (number, (border, flat)) in floors.into_iter().enumerate() {
-        let rooms = flat_at(&flat, border, kind, stream)?;
+    let flat = |ring: Ring| {
+        let border = border(&ring)?;
+        let flat = ground.part(ring);
+        let floor = kind.floor(&flat, border);
+        (!kind.hopeless.knows(&floor)).then_some((border, flat, floor))
+    };
+    let flats: Vec<(Segment, Ground, Floor)> = core.flats.into_iter().map(flat).collect::<Option<_>>()?;
+    for (number, (border, flat, floor)) in flats.into_iter().enumerate() {
+        let rooms = kind.hopeless.unless_known(floor, || best_flat(&flat, border, kind, stream))?;
         cells.extend(rooms.into_iter().map(|cell| Cell { unit: Some(number), ..cell }));
     }
     Some(cells)

@@ -195,11 +195,17 @@ pub(super) fn cut_along(rings: &[Ring], places: &[f64]) -> (Vec<Ring>, Vec<Ring>
     (slices, left_over)
 }
 
-fn take_largest(mut pieces: Vec<Ring>, taken: &mut Vec<Ring>, left_over: &mut Vec<Ring>) {
+fn take_largest(pieces: Vec<Ring>, taken: &mut Vec<Ring>, left_over: &mut Vec<Ring>) {
+    let (largest, others) = largest_of(pieces).unwrap_or_default();
+    taken.push(largest);
+    left_over.extend(others);
+}
+
+/// The largest of some pieces, and the others, the larger first.
+fn largest_of(mut pieces: Vec<Ring>) -> Option<(Ring, Vec<Ring>)> {
     pieces.sort_by(|a, b| area(b).total_cmp(&area(a)));
     let mut pieces = pieces.into_iter();
-    taken.push(pieces.next().unwrap_or_default());
-    left_over.extend(pieces);
+    Some((pieces.next()?, pieces.collect()))
 }
 
 /// From where to where along a strip a ring borders on it.
@@ -282,10 +288,7 @@ impl Band {
             strips.extend(strip);
             above.extend(beyond);
         }
-        strips.sort_by(|a, b| area(b).total_cmp(&area(a)));
-        let mut strips = strips.into_iter();
-        let strip = strips.next()?;
-        let left_over: Vec<Ring> = strips.collect();
+        let (strip, left_over) = largest_of(strips)?;
         // A second strip of any size is a wing of its own.
         if left_over.iter().map(|ring| area(ring)).sum::<f64>() > LEAST_ROW {
             return None;
@@ -437,10 +440,8 @@ pub(super) fn trim(strip: Ring, from: f64, to: f64) -> (Ring, Vec<Ring>) {
         ends.extend(after);
         kept.extend(inside);
     }
-    kept.sort_by(|a, b| area(b).total_cmp(&area(a)));
-    let mut kept = kept.into_iter();
-    let Some(main) = kept.next() else { return (strip, Vec::new()) };
-    ends.extend(kept);
+    let Some((main, others)) = largest_of(kept) else { return (strip, Vec::new()) };
+    ends.extend(others);
     (main, ends)
 }
 
