@@ -115,7 +115,9 @@ pub(crate) const CELLS_OF_WAYS_A_STEP: u64 = 2;
 /// Share of the requested pieces that may be missing before another attempt: the audit calls a room `unfulfilled` below
 /// nine tenths. Larger: fewer attempts, more `unfulfilled` findings.
 pub(crate) const MISSING_SHARE: f64 = 0.1;
-/// Classes of this group stand on the floor itself, not on rugs, and the tall ones take the light of a window however narrow.
+/// Classes of this group stand on the floor itself, not on rugs.
 pub(crate) const STORAGE_GROUP: &str = "storage";
+/// Groups of slim things that leave a window enough of its light, as the audit has them.
+pub(crate) const LIGHT_GROUPS: [&str; 5] = ["greenery", "small", "light", "movable", "window_dressing"];
 /// Classes of this group stand in bathrooms, and are used with the door shut.
 pub(crate) const FIXTURE_GROUP: &str = "fixture";

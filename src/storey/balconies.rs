@@ -94,6 +94,7 @@ fn balcony(piece: Segment, wall: f64, (room, number): (usize, usize), partition:
         along,
         width: door,
         leaves: 1,
+        opens_out: false,
     };
     let unit = partition.cells[room].unit;
     Balcony { cell: Cell { unit, ..Cell::shared(ring, BALCONY) }, door }

@@ -76,6 +76,8 @@ pub(super) struct Measures {
     pub(super) area: f64,
     /// Metres of the largest disc inside.
     pub(super) depth: f64,
+    /// Metres of the longer side.
+    pub(super) length: f64,
     /// Share of the outline with a neighbour wall to wall.
     pub(super) party: f64,
 }
@@ -130,10 +132,11 @@ pub(super) fn briefs<'a>(
 
 impl Brief<'_> {
     fn fits(&self, measures: Measures) -> bool {
-        let Typology { area, depth, party, levels, .. } = self.typology;
+        let Typology { area, depth, length, party, levels, .. } = self.typology;
         let within = |value: f64, (least, most): (f64, f64)| (least..=most).contains(&value);
         within(measures.area, *area)
             && within(measures.depth, *depth)
+            && within(measures.length, *length)
             && within(measures.party, *party)
             && (levels.0..=levels.1).contains(&self.storeys)
     }

@@ -8,7 +8,7 @@ use crate::layout::seed::{Stream, building_stream};
 use crate::plan::{BuildingDraft, SitePlacement};
 
 use super::balconies::balconies;
-use super::brief::{Brief, Choices, Known, Measures, briefs};
+use super::brief::{Brief, Choices, Known, briefs};
 use super::check::first_fault;
 use super::corridor::corridors;
 use super::draft::level_draft;
@@ -118,7 +118,7 @@ pub(crate) fn plan_building(
 ) -> Option<PlannedBuilding> {
     let footprint = &site.footprints[index];
     let outline = Outline::of(footprint, &around.near(index), &around.streets_near(index));
-    let measures = Measures { area: outline.area(), depth: outline.depth(), party: outline.party() };
+    let measures = outline.measures();
     if measures.depth < NARROWEST {
         return None;
     }

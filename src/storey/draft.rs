@@ -70,7 +70,7 @@ fn door_draft(link: &Link, index: usize, ids: &[String], ceiling: f64) -> Openin
     let leaf = match (link.kind, link.leaves) {
         (OpeningKind::Door, 2) => LeafDraft::Swing {
             hinge_left: true,
-            into: Some(ids[link.rooms.0].clone()),
+            into: (!link.opens_out).then(|| ids[link.rooms.0].clone()),
             count: 2,
             angle: std::f64::consts::FRAC_PI_2,
         },

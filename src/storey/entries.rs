@@ -1,6 +1,6 @@
 //! Doors of the ground floor to the open air: where people come in, and how they get out of large rooms.
 
-use crate::geometry::Point;
+use crate::geometry::{Point, Segment};
 use crate::layout::seed::Stream;
 
 use super::dwelling::Port;
@@ -23,6 +23,9 @@ const LONG_ROOM: f64 = 30.0;
 const STORE: &str = "storeroom";
 /// Metres of wall at the street that are enough for a door.
 const LEAST_FRONT: f64 = 1.2;
+/// Metres of wall that are enough for a gate, and of floor behind it for a small car with the strip before it that stays free.
+const LEAST_GATE: f64 = 2.0;
+const BEHIND_GATE: f64 = 4.4;
 /// Metres of wall from which on it has a place for a way out.
 const LEAST_WALL: f64 = 1.4;
 /// Further ways out of a room at most.
@@ -137,7 +140,11 @@ fn ways_in(grounds: &[Ground], partition: &Partition<'_>) -> Vec<Entry> {
     if is_flats {
         let is_store = |room: usize| cells[room].room_type == STORE;
         let entered = (0..cells.len()).filter(|&room| partition.is_public(room) && !is_store(room));
-        return entered.filter_map(|room| free_wall(&grounds[0], partition, room)).collect();
+        return entered.filter_map(|room| own_way_in(&grounds[0], partition, room)).collect();
+    }
+    let gates = (0..cells.len()).filter(|&room| partition.is_public(room));
+    if let Some(gate) = gates.filter_map(|room| gate(&grounds[0], partition, room)).next() {
+        return vec![gate];
     }
     let is_single = cells.len() == grounds.len();
     let behind = |port: Port, may_be: &dyn Fn(usize) -> bool| {
@@ -160,6 +167,26 @@ fn ways_in(grounds: &[Ground], partition: &Partition<'_>) -> Vec<Entry> {
         .or_else(any)
         .into_iter()
         .collect()
+}
+
+/// A way into a room from the open air: a gate, if it needs one that has a place, else a door.
+fn own_way_in(ground: &Ground, partition: &Partition<'_>, room: usize) -> Option<Entry> {
+    gate(ground, partition, room).or_else(|| free_wall(ground, partition, room))
+}
+
+/// A way in for vehicles: in the middle of the longest free wall with floor behind it for one, at the street if there is such a wall.
+fn gate(ground: &Ground, partition: &Partition<'_>, room: usize) -> Option<Entry> {
+    partition.gate(room)?;
+    let corners = &partition.cells[room].ring;
+    let is_gate = |wall: &Segment| {
+        let behind = |corner: &Point| (*corner - wall.start).dot(wall.normal());
+        let floor = corners.iter().map(behind).fold(0.0, f64::max);
+        wall.length() >= LEAST_GATE && floor >= BEHIND_GATE
+    };
+    let longest_gate = |walls: Vec<Segment>| longest(walls.into_iter().filter(is_gate).collect());
+    let street = longest_gate(partition.street(ground, room));
+    let wall = street.or_else(|| longest_gate(partition.light(ground, room)))?;
+    Some(Entry { room, port: Port { at: wall.middle(), way: wall.normal() } })
 }
 
 /// A way into a room from the open air: in the middle of its longest free wall, at the street if it has one there.

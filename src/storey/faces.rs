@@ -46,6 +46,11 @@ impl<'a> Partition<'a> {
         self.typologies.rooms.get(&self.cells[room].room_type).is_some_and(|needs| needs.passage)
     }
 
+    /// Metres of the gate that vehicles come into a room by, if they do.
+    pub(super) fn gate(&self, room: usize) -> Option<f64> {
+        self.typologies.rooms.get(&self.cells[room].room_type)?.gate
+    }
+
     /// Whether all may walk through a room: it is of no dwelling.
     pub(super) fn is_public(&self, room: usize) -> bool {
         self.cells[room].unit.is_none() && self.is_passage(room)

@@ -39,6 +39,8 @@ pub(super) struct Link {
     pub(super) width: f64,
     /// One or two.
     pub(super) leaves: u32,
+    /// Whether they open into the open air.
+    pub(super) opens_out: bool,
 }
 
 impl Link {
@@ -191,10 +193,10 @@ pub(super) fn room_at(cells: &[Cell], port: Port) -> Option<usize> {
 fn outer_door(room: usize, port: Port, partition: &Partition<'_>) -> Option<Link> {
     let cell = &partition.cells[room];
     let is_wide = cell.unit.is_none() && !matches!(cell.room_type.as_str(), "storeroom" | "stairs");
+    let gate = partition.gate(room);
     let width: f64 = match cell.room_type.as_str() {
-        "garage" => 2.4,
         "storeroom" => 0.9,
-        _ if is_wide => 1.6,
+        _ if is_wide => gate.unwrap_or(1.6),
         _ => 1.0,
     };
     // As far as the wall goes.
@@ -218,6 +220,7 @@ fn outer_door(room: usize, port: Port, partition: &Partition<'_>) -> Option<Link
         along: edge.direction(),
         width,
         leaves: if width > 1.2 { 2 } else { 1 },
+        opens_out: gate.is_some(),
     })
 }
 
@@ -287,6 +290,7 @@ fn open_side(room: usize, other: usize, border: Segment) -> Link {
         along: border.direction(),
         width,
         leaves: 0,
+        opens_out: false,
     }
 }
 
@@ -314,7 +318,8 @@ pub(super) fn inner_door(
     };
     let width = wanted.min(border.length() - 2.0 * BESIDE);
     let center = place_on(border, width, links);
-    Link { rooms: (room, Some(to)), kind, center, along: border.direction(), width, leaves: 1 }
+    let rooms = (room, Some(to));
+    Link { rooms, kind, center, along: border.direction(), width, leaves: 1, opens_out: false }
 }
 
 /// A place on a border: near an end of it, clear of other doors in that wall.

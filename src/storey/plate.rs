@@ -6,6 +6,7 @@ use geo::{BooleanOps, Buffer};
 use crate::geometry::{Point, Polygon, Segment, edges, ring_contains, signed_area};
 use crate::plan::ring_surface;
 
+use super::brief::Measures;
 use super::disc::is_simple;
 use super::facade::{Around, Facade, look_out};
 use super::footprint::Footprint;
@@ -67,20 +68,27 @@ impl Outline {
         Self { frame, outer, courts, facade }
     }
 
+    /// The figures that kinds of buildings are chosen by.
+    pub(super) fn measures(&self) -> Measures {
+        // The frame lies along the outline.
+        let length = bounds(&self.outer).size().x;
+        Measures { area: self.area(), depth: self.depth(), length, party: self.party() }
+    }
+
     /// Square metres.
-    pub(super) fn area(&self) -> f64 {
+    fn area(&self) -> f64 {
         area(&self.outer) - self.courts.iter().map(|court| area(court)).sum::<f64>()
     }
 
     /// Metres of the largest disc inside.
-    pub(super) fn depth(&self) -> f64 {
+    fn depth(&self) -> f64 {
         let rings: Vec<&[Point]> =
             std::iter::once(&self.outer).chain(&self.courts).map(|ring| ring.as_slice()).collect();
         super::disc::largest_disc(&rings, f64::INFINITY).0
     }
 
     /// Share of the outer walls with a neighbour wall to wall.
-    pub(super) fn party(&self) -> f64 {
+    fn party(&self) -> f64 {
         let length = |is_party: fn(super::facade::EdgeClass) -> bool| {
             let spans = self.facade.spans.iter().filter(|span| is_party(span.class));
             spans.map(|span| span.line.length()).sum::<f64>()

@@ -434,6 +434,24 @@ fn what_neighbours_wall_in_has_a_door_and_no_windows() {
 }
 
 #[test]
+fn a_garage_has_its_gate_where_a_car_has_room_behind_it() {
+    // Longer from west to east, whatever the street is; too short for a car, it is a shed.
+    let garage = alone(rectangle(0.0, 0.0, 6.0, 3.0), 1.0, "garage");
+    assert_eq!(garage.report.typology, "garage");
+    let openings = &garage.draft.levels[0].openings;
+    let gates: Vec<_> = openings.iter().filter(|opening| opening.kind == OpeningKind::Door).collect();
+    let [gate] = gates[..] else { panic!("{gates:?}") };
+    let (crate::plan::OpeningPlace::Points { along: Some(along), .. }, 2.0..) = (&gate.place, gate.width)
+    else {
+        panic!("{gate:?}")
+    };
+    assert!(along.x.abs() < 0.1, "at a short side: {gate:?}");
+    assert!(matches!(&gate.leaf, crate::plan::LeafDraft::Swing { into: None, count: 2, .. }), "outwards");
+    assert_eq!(openings.len(), 2, "one window");
+    assert_eq!(alone(rectangle(0.0, 0.0, 4.0, 4.0), 1.0, "garage").report.typology, "shed");
+}
+
+#[test]
 fn outlines_that_lie_in_each_other_have_no_windows_there() {
     let inner = footprint("a", rectangle(10.0, 10.0, 8.0, 8.0), 1.0, "shop");
     let outer = footprint("b", rectangle(0.0, 0.0, 60.0, 60.0), 1.0, "warehouse");

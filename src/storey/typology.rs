@@ -51,6 +51,10 @@ pub struct RoomNeeds {
     /// Room types that the door of one of them leads to, where a dwelling has several on a level: a bath of one bedroom.
     #[serde(default)]
     pub suite_of: Vec<String>,
+    /// Metres of the gate that vehicles come in by: it is where one has room behind it, opens outwards, and leaves one window to a
+    /// small building.
+    #[serde(default)]
+    pub gate: Option<f64>,
     /// Whether people may walk through it to other rooms.
     #[serde(default)]
     pub passage: bool,
@@ -125,6 +129,9 @@ pub struct Typology {
     /// Metres of depth, the largest disc that the outline holds, least and most.
     #[serde(default = "any")]
     pub depth: (f64, f64),
+    /// Metres of its longer side, along most of its walls or across them, least and most.
+    #[serde(default = "any")]
+    pub length: (f64, f64),
     /// Storeys with which it is built, least and most.
     #[serde(default = "any_storeys")]
     pub levels: (u32, u32),

@@ -27,6 +27,8 @@ const LOW_SILL: f64 = 0.4;
 const USUAL_WIDTH: f64 = 2.4;
 /// Square metres up to which a room that needs no windows has one at most.
 const SMALL_ROOM: f64 = 8.0;
+/// The same of a room that vehicles come into: a garage for one or two of them.
+const SMALL_GARAGE: f64 = 60.0;
 /// Metres within which an inner wall runs beside an outer one as if it were the same.
 const BESIDE_WALL: f64 = 0.25;
 /// Metres of wall from which on it has windows where the door of a balcony is light enough.
@@ -75,8 +77,8 @@ pub(super) fn windows(ground: &Ground, partition: &Partition<'_>, taken: Taken<'
             .flat_map(|piece| free_pieces(piece, room, ground.wall, taken))
             .filter(|piece| piece.length() >= 0.5 + 2.0 * BESIDE.min(piece.length() / 5.0))
             .collect();
-        let is_hall =
-            needs.passage && cell.room_type != "stairs" && super::ring::area(&cell.ring) > SMALL_ROOM;
+        let small = if needs.gate.is_some() { SMALL_GARAGE } else { SMALL_ROOM };
+        let is_hall = needs.passage && cell.room_type != "stairs" && super::ring::area(&cell.ring) > small;
         let is_main = needs.light == Light::Required || is_hall;
         if !is_main {
             // One small window is enough.

@@ -6,8 +6,8 @@ use crate::catalog::{ParentName, Relation, RelationKind, Side, WallWishes};
 use crate::geometry::Point;
 use crate::layout::body::{Pose, box_solid};
 use crate::layout::constants::{
-    BUILT_IN_REWARD, CONTACT_TOLERANCE, LONG_PIECE, RUN_LENGTH, SEAT_IN_WAY_PENALTY, SEAT_PENALTY,
-    STORAGE_GROUP, TIGHT_PENALTY, WINDOW_PENALTY,
+    BUILT_IN_REWARD, CONTACT_TOLERANCE, LIGHT_GROUPS, LONG_PIECE, RUN_LENGTH, SEAT_IN_WAY_PENALTY,
+    SEAT_PENALTY, TIGHT_PENALTY, WINDOW_PENALTY,
 };
 use crate::layout::environment::Environment;
 use crate::layout::place::{AgentIndex, ParentPart, Place};
@@ -365,11 +365,11 @@ fn stands_before_window(environment: &Environment<'_>, agent: AgentIndex, place:
         return false;
     }
     let size = environment.agents[agent].size;
-    // As the audit: a slim piece leaves enough of the light, but a narrow bookcase does not.
+    // As the audit: a slim plant leaves enough of the light, but a narrow bookcase or a stand full of coats does not.
     let windows = &environment.brief.catalog.audit.windows;
-    let is_storage = environment.is_in(agent, STORAGE_GROUP);
-    let is_bookcase = is_storage && place.pose.elevation + size.height > windows.low_piece;
-    if size.width.max(size.depth) < windows.slim_width && !is_bookcase {
+    let is_low = place.pose.elevation + size.height <= windows.low_piece;
+    let is_thin = size.width.max(size.depth) < windows.slim_width;
+    if is_thin && (is_low || LIGHT_GROUPS.iter().any(|group| environment.is_in(agent, group))) {
         return false;
     }
     let body = box_solid(size, &place.pose);

@@ -11,6 +11,10 @@ const USUAL_ANGLE: f64 = std::f64::consts::FRAC_PI_2;
 const ANGLES: (f64, f64) = (0.2, std::f64::consts::PI);
 /// Places on the swing, as shares of its angle and radius, that must be free floor.
 const SWING_SAMPLES: [(f64, f64); 5] = [(0.25, 0.95), (0.5, 0.95), (0.75, 0.95), (1.0, 0.95), (1.0, 0.5)];
+/// Squares of a leaf's width in the least room that a leaf opens into, where it may open the other way: what it sweeps is a fifth of
+/// that floor, and in a toilet there is no place for the basin or for who closes the door. Larger: doors of bathrooms that have room
+/// for them stand in corridors.
+const LEAST_FLOOR: f64 = 3.75;
 /// Room types that a leaf should not stand in.
 const WALKED_ROOM_TYPES: [&str; 8] =
     ["corridor", "hallway", "hall", "lobby", "staircase", "stairs", "walkway", "elevator"];
@@ -117,11 +121,12 @@ fn as_drawn(frames: &[Frame; 2], drawn: &[Leaf]) -> Option<Vec<Leaf>> {
     Some(frame.leaves(hinge_left, if is_double { 2 } else { 1 }, angle))
 }
 
-/// How little a way to hang a leaf is liked: places blocked, whether people walk there, square metres of the room,
-/// metres to the corner.
-type Rank = (u32, bool, f64, f64);
+/// How little a way to hang a leaf is liked: places blocked, whether it takes the room's floor, whether people walk there, square
+/// metres of the room, metres to the corner.
+type Rank = (u32, bool, bool, f64, f64);
 
-/// Opens into the room that is no corridor, with the hinge at the end nearer a corner, where the swing is free.
+/// Opens into the room that is no corridor, out of rooms that are all door, with the hinge at the end nearer a corner, where the
+/// swing is free.
 fn automatic(frames: &[Frame; 2], rooms: &[Room]) -> Vec<Leaf> {
     let width = frames[0].left.distance(frames[0].right);
     let count = if width > WIDEST_SINGLE_LEAF { 2 } else { 1 };
@@ -133,7 +138,8 @@ fn automatic(frames: &[Frame; 2], rooms: &[Room]) -> Vec<Leaf> {
             let blocked = leaves.iter().map(|leaf| blocked_samples(frame, leaf, room)).sum();
             let is_walked = room.is_none_or(|room| WALKED_ROOM_TYPES.contains(&room.room_type.as_str()));
             let area = room.map_or(f64::INFINITY, |room| room.region.area());
-            let rank = (blocked, is_walked, area, frame.to_corner[end]);
+            let is_cramped = area < LEAST_FLOOR * (width / f64::from(count)).powi(2);
+            let rank = (blocked, is_cramped, is_walked, area, frame.to_corner[end]);
             let is_better =
                 best.as_ref().is_none_or(|(least, _)| rank.partial_cmp(least).is_some_and(|o| o.is_lt()));
             if is_better {

@@ -210,6 +210,25 @@ fn a_leaf_avoids_the_column_behind_it() {
 }
 
 #[test]
+fn a_leaf_opens_out_of_a_room_that_it_would_fill() {
+    // Into the corridor from a toilet of this depth, seen at the height of its tip.
+    let opens_out = |depth: f64, width: f64| {
+        let mut rooms = vec![
+            rectangle("corridor", (0.0, 0.0), (4.0, 1.4)),
+            rectangle("toilet", (0.0, 1.5), (1.0, depth)),
+        ];
+        rooms[0].room_type = "corridor".to_owned();
+        let door = opening("d", OpeningKind::Door, at(0.5, 1.45, (1.0, 0.0)), width);
+        let (level, problems) = assembled(rooms, vec![door]);
+        assert_eq!(problems, vec![]);
+        level.openings[0].leaves[0].open_tip.y < 1.4
+    };
+    assert!(opens_out(1.7, 0.8));
+    assert!(!opens_out(2.6, 0.8), "there is room beside the leaf");
+    assert!(!opens_out(1.7, 0.6), "a small leaf takes less of it");
+}
+
+#[test]
 fn a_leaf_into_a_room_elsewhere_is_reported() {
     let mut door = opening("d", OpeningKind::Door, at(1.0, 0.0, (1.0, 0.0)), 1.0);
     door.leaf = swing(true, Some("east"), 1);
