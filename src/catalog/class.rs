@@ -82,6 +82,8 @@ pub struct Class {
     pub relations: Vec<Relation>,
     /// Under whom it lies on the floor, best first; empty for what is no rug.
     pub covers: Vec<ClassIndex>,
+    /// The classes that stand in for it where others are counted by it: those in a group of its name.
+    pub stand_ins: Vec<ClassIndex>,
     /// What it is there to carry: it is taken away again where none of these stands on it; empty for what needs nothing.
     pub carries: Vec<ClassIndex>,
     /// Whether it is taken away again where no other of its class stands beside it: seats in rows, shelves between aisles.
@@ -131,6 +133,7 @@ impl Class {
             either: Vec::new(),
             relations: Vec::new(),
             covers: Vec::new(),
+            stand_ins: Vec::new(),
             carries: Vec::new(),
             needs_company: false,
             grid: None,

@@ -47,6 +47,12 @@ impl Intervals {
         }
     }
 
+    /// Whether nothing is left.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
     /// The intervals, from low to high.
     #[must_use]
     pub fn as_slice(&self) -> &[(f64, f64)] {

@@ -87,8 +87,10 @@ fn search_with_carrier(
     reason: RemovalReason,
     key: &RoomKey,
 ) -> Result<Place, RemovalReason> {
-    let carrier = wanted::movable_carrier(environment, agent).filter(|_| reason == RemovalReason::Relation);
-    let Some(carrier) = carrier else { return Err(reason) };
+    if reason != RemovalReason::Relation {
+        return Err(reason);
+    }
+    let Some(carrier) = wanted::movable_carrier(environment, agent) else { return Err(reason) };
     send_away(environment, carrier);
     environment.agents[carrier].is_in_the_way = false;
     act(environment, carrier, key);

@@ -25,6 +25,8 @@ pub(crate) struct RoomBrief<'a> {
     key: RoomKey,
     /// Drawn once: another attempt must not ask for other pieces.
     pieces: Vec<Piece>,
+    /// By piece, the one that may stand in for it first.
+    substitutes: Vec<Option<usize>>,
     locks: &'a [Lock],
     /// With [`Swings::Simple`].
     surroundings: OnceCell<Surroundings<'a>>,
@@ -48,6 +50,8 @@ pub(crate) struct Brief<'a> {
     pub(crate) at: RoomRef<'a>,
     /// The pieces that are asked for, with those that are locked.
     pub(crate) pieces: &'a [Piece],
+    /// By piece, the one that may stand in for it first.
+    pub(crate) substitutes: &'a [Option<usize>],
     /// The fixed parts of the room.
     pub(crate) surroundings: &'a Surroundings<'a>,
     /// Where people walk in the empty room.
@@ -85,6 +89,7 @@ impl<'a> RoomBrief<'a> {
             catalog,
             style,
             key,
+            substitutes: substitutes(&pieces),
             pieces,
             locks: options.locks,
             surroundings: OnceCell::new(),
@@ -101,14 +106,36 @@ impl<'a> RoomBrief<'a> {
         } else {
             self.exact_surroundings.get_or_init(|| self.surroundings_with(Swings::Exact))
         };
-        let Self { catalog, style: style_ref, ref key, at, ref pieces, locks, ref empty_floors, .. } = *self;
-        let style = &catalog.styles[style_ref];
-        Brief { catalog, style, style_ref, key, at, pieces, surroundings, empty_floors, locks, alternative }
+        let Self { catalog, style: style_ref, key, at, pieces, substitutes, locks, empty_floors, .. } = self;
+        Brief {
+            catalog,
+            style: &catalog.styles[*style_ref],
+            style_ref: *style_ref,
+            key,
+            at: *at,
+            pieces,
+            substitutes,
+            surroundings,
+            empty_floors,
+            locks,
+            alternative,
+        }
     }
 
     fn surroundings_with(&self, swings: Swings) -> Surroundings<'a> {
         Surroundings::new(self.at, &self.catalog.audit, swings)
     }
+}
+
+fn substitutes(pieces: &[Piece]) -> Vec<Option<usize>> {
+    let mut substitutes = vec![None; pieces.len()];
+    // Backwards: of several the first is asked for first.
+    for (index, piece) in pieces.iter().enumerate().rev() {
+        if let Some(before) = piece.substitute_for {
+            substitutes[before] = Some(index);
+        }
+    }
+    substitutes
 }
 
 fn site(at: RoomRef<'_>) -> Site<'_> {

@@ -71,9 +71,9 @@ pub(crate) fn pieces(
     draft.pieces
 }
 
-/// Whether a class is another, or stands in for it: it is in a group of its name.
-pub(crate) fn stands_for(catalog: &Catalog, class: ClassIndex, other: ClassIndex) -> bool {
-    class == other || catalog.classes[class].groups.contains(&catalog.classes[other].id)
+/// Whether a class is another, or stands in for it.
+fn stands_for(catalog: &Catalog, class: ClassIndex, other: ClassIndex) -> bool {
+    class == other || catalog.classes[other].stand_ins.contains(&class)
 }
 
 /// Whether a class may stand at any wall or anywhere on the floor, as a garden chair does. A rug lies under something.

@@ -5,17 +5,12 @@ use super::agent::{Agent, State};
 use super::environment::Environment;
 use super::locked::is_locked;
 use super::place::AgentIndex;
-use super::programme::stands_for;
 
 /// Whether an agent waits for the piece that it was counted by: a chair without its table is not asked for.
 pub(crate) fn is_waiting(environment: &Environment<'_>, agent: AgentIndex) -> bool {
     let Some(companion) = environment.agents[agent].piece.companion else { return false };
-    let catalog = environment.brief.catalog;
-    environment.resting[companion].is_empty()
-        && !environment
-            .agents
-            .iter()
-            .any(|other| other.rest().is_some() && stands_for(catalog, other.piece.class, companion))
+    let stand_ins = &environment.brief.catalog.classes[companion].stand_ins;
+    environment.resting[companion].is_empty() && environment.resting_of(stand_ins).next().is_none()
 }
 
 /// Whether another piece stands in for an agent.
@@ -34,7 +29,7 @@ pub(crate) fn next_substitute(environment: &Environment<'_>, agent: AgentIndex) 
 }
 
 fn substitute(environment: &Environment<'_>, agent: AgentIndex) -> Option<AgentIndex> {
-    environment.agents.iter().position(|other| other.piece.substitute_for == Some(agent))
+    environment.brief.substitutes[agent]
 }
 
 /// Whether an agent is a piece that was asked for and is not there. Pieces that only fill what room is left are not missed, nor

@@ -95,6 +95,7 @@ fn resolve_class(
         either,
         relations,
         covers,
+        stand_ins: names.stand_ins(index),
         carries,
         needs_company: chain
             .find("company", |entry| entry.company.as_ref())

@@ -123,6 +123,12 @@ impl<'a> Names<'a> {
         self.ids.binary_search(&id).ok()
     }
 
+    /// The other classes of a group that is named like a class.
+    pub(super) fn stand_ins(&self, class: ClassIndex) -> Vec<ClassIndex> {
+        let meant = self.words.get(self.id(class)).into_iter().flatten();
+        meant.copied().filter(|&other| other != class).collect()
+    }
+
     /// The classes of a word: the class of that id and all classes of that group.
     pub(super) fn classes(&self, word: &str, spot: &Spot, report: &mut Report<'_>) -> Option<NamedClasses> {
         if let Some(classes) = self.words.get(word) {

@@ -242,10 +242,17 @@ impl<'a> Strip<'a> {
         let environment = self.view.environment;
         let mut free = Intervals::new(self.half, self.wall.length() - self.half);
         self.block_openings(&mut free);
+        // Nothing frees a wall that is too short, as most are to large pieces.
+        if free.is_empty() {
+            return free;
+        }
         let region = self.region(self.from, self.depth, self.high);
         environment.each_obstacle(&region, |solid, _| self.block(&mut free, solid));
         environment.each_kept_free(&region, |solid| self.block(&mut free, solid));
         self.block_borders(&mut free, &region, |_| true);
+        if free.is_empty() {
+            return free;
+        }
         if let Some(front) = self.view.class.clearances.iter().find(|clearance| clearance.side == Side::Front)
         {
             let depth = front.minimum - CLEARANCE_TOLERANCE;
@@ -258,17 +265,17 @@ impl<'a> Strip<'a> {
             // People who use it may stand across an open side; how far is asked of each candidate.
             self.block_borders(&mut free, &region, |border| !border.is_open);
             let spacious = self.without_seats(free.clone(), front);
-            if !spacious.as_slice().is_empty() {
+            if !spacious.is_empty() {
                 free = spacious;
             }
         }
         let clear = self.without_swings(free.clone());
-        if !clear.as_slice().is_empty() {
+        if !clear.is_empty() {
             free = clear;
         }
         // Stretches that take space from others are used only where there are no others.
         let comfortable = self.without_comfort(free.clone(), &region);
-        if comfortable.as_slice().is_empty() { free } else { comfortable }
+        if comfortable.is_empty() { free } else { comfortable }
     }
 
     /// The free stretches less those where the box would be nearer to the swing of a leaf than its class wishes.
