@@ -102,6 +102,8 @@ fn words_mean_ids_and_groups_and_room_parts_have_their_sides() {
     let mut expected = vec![index("surface"), index("table")];
     expected.sort_unstable();
     assert_eq!(parents[0].parent, ParentName::Classes(expected));
+    let stand_ins = |id| class(&catalog, id).stand_ins.clone();
+    assert_eq!((stand_ins("surface"), stand_ins("table")), (vec![index("table")], vec![]));
     let sides: Vec<Vec<Side>> = parents.iter().skip(1).map(|rule| rule.sides.clone()).collect();
     let around = vec![Side::Front, Side::Back, Side::Left, Side::Right];
     assert_eq!(sides, [vec![Side::Front], around, vec![Side::Below], vec![Side::Above]]);

@@ -67,7 +67,9 @@ fn stretches(
     let low = || here().filter(|standing| part(standing) != FittedPart::Tall);
     let from = low().map(|standing| standing.from()).fold(f64::INFINITY, f64::min);
     let to = low().map(Standing::to).fold(0.0, f64::max);
-    let mut free = Intervals::new(from, to);
+    let surroundings = environment.brief.surroundings;
+    // A row may go on past the end of its wall, up to what closes it; nothing hangs there.
+    let mut free = Intervals::new(from.max(0.0), to.min(surroundings.room.walls[wall].length()));
     let hobs = here().filter(|standing| matches!(part(standing), FittedPart::Hob | FittedPart::Tall));
     hobs.for_each(|standing| free.subtract(standing.from(), standing.to()));
     if here().any(|standing| part(standing) == FittedPart::Corner) {
@@ -75,7 +77,6 @@ fn stretches(
             units.of_part(FittedPart::WallUnit).map(|(_, unit)| environment.agents[unit.agent].size.depth);
         free.subtract(0.0, depth.fold(0.0, f64::max));
     }
-    let surroundings = environment.brief.surroundings;
     for side in surroundings.room.openings.iter().filter(|side| side.wall == wall) {
         let opening = &surroundings.level.openings[side.opening];
         if opening.kind != OpeningKind::Window || opening.top > elevation {

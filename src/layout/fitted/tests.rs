@@ -286,3 +286,32 @@ fn a_row_is_slim_as_a_whole_where_the_usual_units_leave_too_little_space() {
         }
     }
 }
+
+#[test]
+fn wall_units_hang_where_their_wall_is() {
+    // The row at the wall before the slot goes on past it, up to what closes it; the slot is as deep as a wall unit.
+    let slot = [(2.03, 0.0), (2.03, 2.22), (-2.2, 2.22), (-2.2, 1.9), (0.0, 1.9), (0.0, 0.0)];
+    let catalog = load_catalog(&[]).unwrap().value;
+    let mut hanging = 0;
+    for start in 0..slot.len() {
+        let mut corners = slot;
+        corners.rotate_left(start);
+        let mut level = level(&corners);
+        level.rooms[0].room_type = "kitchen".to_owned();
+        for seed in SEEDS {
+            for placement in run(&level, &catalog, seed).placements {
+                let is_wall_unit = catalog.classes[placement.class].fitted == Some(FittedPart::WallUnit);
+                let Parent::Wall(wall) = placement.parent else { continue };
+                if is_wall_unit {
+                    let wall = &level.rooms[0].walls[wall];
+                    let middle = (placement.position - wall.start).dot(wall.direction());
+                    let half = placement.size.width / 2.0;
+                    let (from, to) = (middle - half, middle + half);
+                    assert!(from > -0.01 && to < wall.length() + 0.01, "{start}, {seed}: {from} to {to}");
+                    hanging += 1;
+                }
+            }
+        }
+    }
+    assert!(hanging > 0);
+}
