@@ -142,8 +142,8 @@ fn ways_in(grounds: &[Ground], partition: &Partition<'_>) -> Vec<Entry> {
         let entered = (0..cells.len()).filter(|&room| partition.is_public(room) && !is_store(room));
         return entered.filter_map(|room| own_way_in(&grounds[0], partition, room)).collect();
     }
-    let gates = (0..cells.len()).filter(|&room| partition.is_public(room));
-    if let Some(gate) = gates.filter_map(|room| gate(&grounds[0], partition, room)).next() {
+    let mut rooms = (0..cells.len()).filter(|&room| partition.is_public(room));
+    if let Some(gate) = rooms.find_map(|room| gate(&grounds[0], partition, room)) {
         return vec![gate];
     }
     let is_single = cells.len() == grounds.len();
