@@ -39,7 +39,7 @@ pub(super) struct Link {
     pub(super) width: f64,
     /// One or two.
     pub(super) leaves: u32,
-    /// Whether they open into the open air.
+    /// Whether the two of a gate open into the open air.
     pub(super) opens_out: bool,
 }
 
