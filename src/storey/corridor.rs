@@ -3,6 +3,7 @@
 use crate::geometry::Point;
 use crate::layout::seed::Stream;
 
+use super::deep::{LIT_SIDE, Piece, outer_strips};
 use super::disc::is_as_wide_as;
 use super::dwelling::{Cell, Port};
 use super::fill::DOOR_STRETCH;
@@ -11,7 +12,7 @@ use super::hopeless::Kind;
 use super::house::outer_port;
 use super::ring::{Axis, Ring, area, bounds, join, longest, shared, split, turned_back};
 use super::spine::{Fixed, FixedKind, Ground, Row, Spine, extent, settle};
-use super::typology::PlanKind;
+use super::typology::{Light, PlanKind};
 use super::wings::{Wing, compact, tree};
 
 /// Metres along the corridor of stairs.
@@ -55,10 +56,18 @@ const BATH: (f64, f64) = (2.1, 1.75);
 const SLENDEREST: f64 = 3.0;
 /// See [`SLENDEREST`].
 const MOST_SERVICE: f64 = 2.5;
+/// Share of the rooms without windows that are stores, where the building has others that need none.
+const STORES: f64 = 0.5;
 /// Metres by which a corridor is moved aside where it has no place, in this order.
 const ASIDE: [f64; 7] = [0.0, 1.2, -1.2, 2.4, -2.4, 3.6, -3.6];
 /// Metres of the half of a way in.
 const PORT_HALF: f64 = 0.95;
+/// The numbers of the slices of a row that hold stairs, a lift, and a passage to the next corridor.
+const STAIRS_SLICE: usize = 0;
+/// See [`STAIRS_SLICE`].
+const LIFT_SLICE: usize = 1;
+/// See [`STAIRS_SLICE`].
+const PASSAGE_SLICE: usize = 2;
 
 /// What a level along corridors is planned from.
 struct Task<'a> {
@@ -89,7 +98,12 @@ pub(super) fn corridors(
     }
     let whole = grounds.first()?;
     let entrance = whole.facade.entrance.map(|(_, at)| at);
-    let mut wings = tree(rings, entrance)?;
+    let has_cores = attempt == 0 && brief.typology.plan == PlanKind::Corridor;
+    let pieces = rings.into_iter().flat_map(|ring| match has_cores {
+        true => outer_strips(whole, ring, brief.typology.hall_width),
+        false => vec![Piece { ring, is_outer: false }],
+    });
+    let mut wings = tree(pieces.collect(), entrance)?;
     let mut task = Task {
         ground: whole,
         kind,
@@ -115,16 +129,30 @@ pub(super) fn corridors(
     let mut cells = Vec::new();
     let mut ways: Vec<WayOut> = Vec::new();
     for wing in &wings {
-        let far = wing.parent.map_or(0.0, |parent| ways[parent].metres_from(wing.ports[0].at));
-        let length = bounds(&wing.ring).size().max_element();
-        let is_far = far + length + BEYOND_CORRIDOR > FARTHEST_STAIRS;
+        let far = wing.parent.map_or(0.0, |parent| {
+            wing.joined.iter().map(|&at| ways[parent].metres_from(at)).fold(0.0, f64::max)
+        });
+        let own = longest_way(wing, brief.typology.hall_width);
+        let is_far = far + own + BEYOND_CORRIDOR > FARTHEST_STAIRS;
         let is_root = wing.parent.is_none();
-        let access = Access { is_root, has_stairs: is_root || is_far || length > ONE_STAIRS };
+        let access = Access { is_root, has_stairs: is_root || is_far || own > ONE_STAIRS };
         let own = wing_cells(&mut task, wing, access)?;
         ways.push(WayOut::of(&own, wing, far));
         cells.extend(own);
     }
     Some(cells)
+}
+
+/// Metres along its corridor to where a wing is joined to its parent, at most, about.
+fn longest_way(wing: &Wing, width: f64) -> f64 {
+    let size = bounds(&wing.ring).size();
+    let (length, depth) = (size.max_element(), size.min_element());
+    if wing.joined.len() < 2 {
+        return length;
+    }
+    // Halfway to the next such place, and through a row where one lies before the corridor.
+    let across = if depth - width > DEEPEST_ROOMS { 0.5 * depth } else { 0.0 };
+    0.5 * length / wing.joined.len() as f64 + across
 }
 
 /// What a wing has besides rooms.
@@ -140,8 +168,10 @@ struct Access {
 struct WayOut {
     /// The middles of its own stairs.
     stairs: Vec<Point>,
-    /// Where it is joined to its parent, and metres from there to the parent's stairs; the root has none.
-    joined: Option<(Point, f64)>,
+    /// Where it is joined to its parent; the root is nowhere.
+    joined: Vec<Point>,
+    /// Metres from the farthest of these places to the parent's stairs.
+    far: f64,
 }
 
 impl WayOut {
@@ -149,14 +179,17 @@ impl WayOut {
         let stairs = cells.iter().filter(|cell| cell.room_type == "stairs");
         Self {
             stairs: stairs.map(|cell| bounds(&cell.ring).center()).collect(),
-            joined: wing.parent.map(|_| (wing.ports[0].at, far)),
+            joined: wing.joined.clone(),
+            far,
         }
     }
 
     /// Metres from a place in the corridor to stairs, about.
     fn metres_from(&self, place: Point) -> f64 {
-        let own = self.stairs.iter().map(|stairs| stairs.distance(place)).reduce(f64::min);
-        own.unwrap_or_else(|| self.joined.map_or(0.0, |(at, far)| far + at.distance(place)))
+        // Corridors run along the axes.
+        let metres = |at: &Point| (*at - place).abs().element_sum();
+        let nearest = |places: &[Point]| places.iter().map(metres).reduce(f64::min);
+        nearest(&self.stairs).unwrap_or_else(|| nearest(&self.joined).map_or(0.0, |near| self.far + near))
     }
 }
 
@@ -167,13 +200,15 @@ fn wing_cells(task: &mut Task<'_>, wing: &Wing, access: Access) -> Option<Vec<Ce
     let ground = if is_turned { own.turned() } else { own };
     // Turning clockwise leads y to x, and x to the other way of y.
     let middle = if is_turned { -wing.middle } else { wing.middle };
-    let ports: Vec<Port> =
-        wing.ports.iter().map(|port| Port { at: turn(port.at), way: turn(port.way) }).collect();
+    let turned = |ports: &[Port]| -> Vec<Port> {
+        ports.iter().map(|port| Port { at: turn(port.at), way: turn(port.way) }).collect()
+    };
+    let ways = Ways { ports: turned(&wing.ports), passages: turned(&wing.passages), middle };
     let depth = area(&ground.ring) / bounds(&ground.ring).size().x;
-    let cells = if depth < ONE_ROW && !access.is_root && ports.len() == 1 {
+    let cells = if depth < ONE_ROW && !access.is_root && ways.ports.len() == 1 {
         vec![Cell::shared(ground.ring.clone(), task.main)]
     } else {
-        along_corridor(task, &ground, &ports, middle, access)?
+        along_corridor(task, &ground, &ways, access)?
     };
     let back = |cell: Cell| match is_turned {
         true => Cell { ring: cell.ring.iter().map(|corner| turned_back(*corner)).collect(), ..cell },
@@ -182,28 +217,34 @@ fn wing_cells(task: &mut Task<'_>, wing: &Wing, access: Access) -> Option<Vec<Ce
     Some(cells.into_iter().map(back).collect())
 }
 
-fn along_corridor(
-    task: &mut Task<'_>,
-    ground: &Ground,
-    ports: &[Port],
+/// The ways of a wing, in its own frame.
+struct Ways {
+    /// Where its corridor is left: see [`Wing`].
+    ports: Vec<Port>,
+    /// See `ports`.
+    passages: Vec<Port>,
+    /// Where the middle of its corridor is, if nothing else moves it.
     middle: f64,
-    access: Access,
-) -> Option<Vec<Cell>> {
+}
+
+fn along_corridor(task: &mut Task<'_>, ground: &Ground, ways: &Ways, access: Access) -> Option<Vec<Cell>> {
     let width = task.kind.brief.typology.hall_width;
-    let place = corridor_place(task, ground, middle);
+    let place = corridor_place(task, ground, ways.middle);
     // Where a jog of the outline is in its way, it runs beside that.
     let Spine { mut strip, rows, fixed: rooms, mut left_over } = ASIDE.into_iter().find_map(|aside| {
         let strip = (place + aside, place + aside + width);
-        Spine::new(ground, strip.0, strip.1, &fixed_slices(task, ground, ports, strip, access))
+        Spine::new(ground, strip.0, strip.1, &fixed_slices(task, ground, ways, strip, access))
     })?;
     let mut cells: Vec<Cell> = Vec::new();
     for (number, ring) in rooms {
-        if number == 1 {
-            cells.extend(lift(ring, &strip)?);
-        } else {
-            let (stairs, rest) = stairs(ring, &strip);
-            cells.push(Cell::shared(stairs, "stairs"));
-            left_over.extend(rest);
+        match number {
+            LIFT_SLICE => cells.extend(lift(ring, &strip)?),
+            PASSAGE_SLICE => cells.push(Cell::shared(ring, task.hall)),
+            _ => {
+                let (stairs, rest) = stairs(ring, &strip);
+                cells.push(Cell::shared(stairs, "stairs"));
+                left_over.extend(rest);
+            }
         }
     }
     let mut order: Vec<&Row> = rows.iter().collect();
@@ -247,9 +288,12 @@ fn corridor_place(task: &Task<'_>, ground: &Ground, middle: f64) -> f64 {
         return if is_above_dark { top - width + 0.1 } else { bottom - 0.1 };
     }
     let rest = depth - width - DARK_ROW;
-    if is_dark && rest > DARK_ROW && rest < deepest + 2.0 {
-        // Stairs and stores there, no deeper than stairs are.
-        return if is_above_dark { top - DARK_ROW - width } else { bottom + DARK_ROW };
+    let is_deep = rest >= deepest + 2.0;
+    let is_lit_across = below.max(above) >= LIT_SIDE * length;
+    if is_dark && rest > DARK_ROW && (is_lit_across || !is_deep) {
+        // Stairs and stores there, no deeper than stairs are, unless the rooms across would be too deep.
+        let dark = if is_deep { depth - width - (deepest + 2.0) } else { DARK_ROW };
+        return if is_above_dark { top - dark - width } else { bottom + dark };
     }
     (middle - width / 2.0).max(bottom + LEAST_ROW).min(top - width - LEAST_ROW)
 }
@@ -269,14 +313,16 @@ fn light_beside(ground: &Ground, line: f64) -> [f64; 2] {
 fn fixed_slices(
     task: &Task<'_>,
     ground: &Ground,
-    ports: &[Port],
+    ways: &Ways,
     (low, high): (f64, f64),
     access: Access,
 ) -> Vec<Fixed> {
     let (left, right) = extent(&ground.ring, Axis::X);
     let (bottom, top) = extent(&ground.ring, Axis::Y);
     let mut fixed = Vec::new();
-    for port in ports {
+    let ports = ways.ports.iter().map(|port| (port, FixedKind::Port));
+    let passages = ways.passages.iter().map(|port| (port, FixedKind::Room(PASSAGE_SLICE)));
+    for (port, kind) in ports.chain(passages) {
         let is_in_strip = port.at.y > low + 0.6 && port.at.y < high - 0.6;
         if port.way.y.abs() > port.way.x.abs() || !is_in_strip {
             let is_above = port.at.y > 0.5 * (low + high);
@@ -286,7 +332,7 @@ fn fixed_slices(
                 continue;
             }
             let from = (port.at.x - PORT_HALF).min(right - 2.0 * PORT_HALF).max(left);
-            fixed.push(Fixed { is_above, from, to: from + 2.0 * PORT_HALF, kind: FixedKind::Port });
+            fixed.push(Fixed { is_above, from, to: from + 2.0 * PORT_HALF, kind });
         }
     }
     if task.kind.brief.storeys > 1 {
@@ -337,19 +383,29 @@ fn add_stairs(fixed: &mut Vec<Fixed>, (left, right): (f64, f64), is_above: bool)
             is_inside && is_free(fixed, is_above, from, from + STAIRS_WIDTH)
         });
         if let Some(from) = place {
-            fixed.push(Fixed { is_above, from, to: from + STAIRS_WIDTH, kind: FixedKind::Room(0) });
+            fixed.push(Fixed {
+                is_above,
+                from,
+                to: from + STAIRS_WIDTH,
+                kind: FixedKind::Room(STAIRS_SLICE),
+            });
         }
     }
 }
 
 /// A lift beside the stairs.
 fn add_lift(fixed: &mut Vec<Fixed>, (left, right): (f64, f64), is_above: bool) {
-    let stairs = fixed.iter().find(|slice| slice.kind == FixedKind::Room(0)).copied();
+    let stairs = fixed.iter().find(|slice| slice.kind == FixedKind::Room(STAIRS_SLICE)).copied();
     let mut places = stairs.into_iter().flat_map(|slice| [slice.to, slice.from - LIFT.0]);
     let place = places.find(|&from| {
         from >= left - 0.01 && from + LIFT.0 <= right + 0.01 && is_free(fixed, is_above, from, from + LIFT.0)
     });
-    fixed.extend(place.map(|from| Fixed { is_above, from, to: from + LIFT.0, kind: FixedKind::Room(1) }));
+    fixed.extend(place.map(|from| Fixed {
+        is_above,
+        from,
+        to: from + LIFT.0,
+        kind: FixedKind::Room(LIFT_SLICE),
+    }));
 }
 
 /// Stairs at the corridor, and what is left of a row that is deeper.
@@ -410,11 +466,9 @@ fn row_cells(
     }
     let module = task.stream.between(task.module.0, task.module.1);
     let count = ((left / module).round() as usize).max(usize::from(left > 1.2));
-    let dark = if row.light_between(row.from, row.to) < 1.0 { Some("storeroom") } else { None };
+    let is_dark = row.light_between(row.from, row.to) < 1.0;
     for _ in 0..count {
-        let others = &task.kind.brief.typology.others;
-        let other = others.iter().find(|(_, weight)| task.stream.unit() < **weight);
-        let room_type = dark.unwrap_or(other.map_or(task.main, |(room_type, _)| room_type));
+        let room_type = if is_dark { dark_type(task) } else { lit_type(task) };
         kinds.push((room_type.to_owned(), left / count as f64));
     }
     if kinds.is_empty() {
@@ -447,10 +501,27 @@ fn row_cells(
     Some(cells)
 }
 
+/// The type of a room at an outer wall: the building's main one, or another for some.
+fn lit_type<'a>(task: &mut Task<'a>) -> &'a str {
+    let mut others = task.kind.brief.typology.others.iter();
+    let other = others.find(|(_, weight)| task.stream.unit() < **weight);
+    other.map_or(task.main, |(room_type, _)| room_type)
+}
+
+/// The type of a room without windows: a store, or another of the building's that needs none, one or the other for half of them.
+fn dark_type<'a>(task: &mut Task<'a>) -> &'a str {
+    let rooms = &task.kind.typologies.rooms;
+    let needs_none =
+        |room_type: &str| rooms.get(room_type).is_some_and(|needs| needs.light != Light::Required);
+    let mut others = task.kind.brief.typology.others.keys().map(String::as_str);
+    let is_store = task.stream.unit() < STORES;
+    others.find(|other| needs_none(other)).filter(|_| !is_store).unwrap_or("storeroom")
+}
+
 /// The type of a room where it is wide and light enough for it; else another of the building's in a lit room, else a store.
 fn fitting_type(task: &Task<'_>, room_type: String, ring: &Ring, has_light: bool) -> String {
     let needs = task.kind.typologies.rooms.get(&room_type);
-    let needs_light = needs.is_none_or(|needs| needs.light == super::typology::Light::Required);
+    let needs_light = needs.is_none_or(|needs| needs.light == Light::Required);
     if is_fit_for(task, &room_type, ring) && (!needs_light || has_light) {
         return room_type;
     }

@@ -21,6 +21,8 @@ const LEAST_WAY_IN: f64 = 0.7;
 const BETWEEN: f64 = 0.2;
 /// Metres of wall from which on a kitchen lies open to the living room.
 const OPEN_BORDER: f64 = 1.35;
+/// Metres of border at most where a corridor ends at another.
+const WIDEST_PASSAGE: f64 = 2.6;
 /// Share of kitchens that do, where they may.
 const OPEN_SHARE: f64 = 0.65;
 
@@ -138,9 +140,9 @@ pub(super) fn link(
             found.links.push(link);
         }
     }
-    // People come by each stairs: those that nobody was led from have a door too.
+    // People come by each stairs: those that nobody was led from have a door too, though one leads to the open air.
     for room in (0..cells.len()).filter(|&room| cells[room].room_type == "stairs") {
-        if is_reached[room] && !found.links.iter().any(|link| link.joins(room)) {
+        if is_reached[room] && !found.links.iter().any(|link| link.other(room).is_some()) {
             let way = best_way(level, &is_reached, room, Pass::Other);
             found.links.extend(way.map(|(to, border)| inner_door(cells, (room, to), border, &found.links)));
         }
@@ -154,7 +156,7 @@ pub(super) fn link(
 }
 
 /// Corridors that meet are one, though each has stairs or a way in of its own: rooms whose doors lead to others of their type before
-/// all else are open to each other, where no door inside leads from one to the other yet.
+/// all else are open to each other, where no door inside leads from one to the other yet, and where one ends at the other.
 fn join_corridors(level: Level<'_>, links: &mut Vec<Link>) {
     let Level { cells, typologies, borders, .. } = level;
     let is_corridor = |room: usize| {
@@ -175,7 +177,9 @@ fn join_corridors(level: Level<'_>, links: &mut Vec<Link>) {
     for room in (0..cells.len()).filter(|&room| is_corridor(room)) {
         for &(to, border) in &borders[room] {
             let is_alike = cells[to].room_type == cells[room].room_type && cells[to].unit == cells[room].unit;
-            if is_alike && parts[to] != parts[room] {
+            let is_end = border.length() < WIDEST_PASSAGE;
+            let is_linked = || links.iter().any(|link| link.other(room) == Some(to));
+            if is_alike && (parts[to] != parts[room] || is_end && !is_linked()) {
                 links.push(inner_door(cells, (room, to), border, links));
                 unite(&mut parts, room, to);
             }
@@ -245,11 +249,13 @@ fn best_way(level: Level<'_>, is_reached: &[bool], room: usize, pass: Pass) -> O
     let is_way =
         |to: usize| is_reached[to] && (cells[to].unit.is_none() || cells[to].unit == cells[room].unit);
     let ways = borders[room].iter().filter(|(to, _)| is_way(*to)).filter_map(|&(to, border)| {
-        // The other way round too: stairs of a house are reached from its hall, a hall above from the stairs.
+        // The other way round too, after where the room's own door would lead: stairs of a house are reached from its hall, a hall above
+        // from the stairs.
         let other = typologies.rooms.get(&cells[to].room_type).filter(|other| other.passage);
         let back = other.and_then(|other| may_lead(level, other, to, room));
+        let back = back.map(|place| needs.doors.len() + place);
         let suite = || (pass == Pass::Suite && is_suite(level, is_reached, room, to)).then_some(0);
-        let rank = may_lead(level, needs, room, to).or(back.map(|_| 0)).or_else(suite)?;
+        let rank = may_lead(level, needs, room, to).or(back).or_else(suite)?;
         (rank == 0 || pass != Pass::Best).then_some((rank, -border.length(), to, border))
     });
     let best = ways.reduce(|a, b| if (b.0, b.1) < (a.0, a.1) { b } else { a });

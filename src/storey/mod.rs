@@ -17,6 +17,7 @@ mod brief;
 mod building;
 mod check;
 mod corridor;
+mod deep;
 mod disc;
 mod draft;
 mod dwelling;

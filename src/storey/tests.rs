@@ -164,6 +164,45 @@ fn corridors_that_meet_are_joined_though_each_has_stairs() {
 }
 
 #[test]
+fn rooms_of_a_deep_storey_lie_at_its_outer_walls_and_stairs_in_its_core() {
+    let (length, depth) = (44.0, 30.0);
+    let ward = alone(rectangle(0.0, 0.0, length, depth), 3.0, "hospital");
+    assert_eq!((ward.report.typology.as_str(), ward.report.rung), ("hospital_ward", 0), "{:?}", ward.report);
+    // From the outer wall that is nearest.
+    let reach = |corners: &[Point]| {
+        let extent = ring::bounds(corners);
+        let far = Point::new(length, depth) - extent.low;
+        extent.high.min_element().min(far.min_element())
+    };
+    let wards = rooms_of(&ward, 1, "ward");
+    assert!(wards.len() >= 10 && wards.iter().all(|room| reach(&room.outline) < 10.0), "{}", wards.len());
+    let stairs = rooms_of(&ward, 1, "stairs");
+    assert!(stairs.iter().all(|room| ring::bounds(&room.outline).center().y > 8.0));
+    let is_corridor = |id: &String| id.starts_with("walkway");
+    let joins = |opening: &&crate::plan::OpeningDraft| {
+        opening.rooms.len() == 2 && opening.rooms.iter().all(is_corridor)
+    };
+    let joined = ward.draft.levels[1].openings.iter().filter(joins).count();
+    assert!(joined >= 6, "three corridors, joined in passages: {joined}");
+}
+
+#[test]
+fn stairs_lead_to_the_corridor_and_not_through_a_store() {
+    for (use_word, depth) in [("office", 14.0), ("hotel", 16.0), ("hospital", 28.0), ("school", 18.0)] {
+        let building = alone(rectangle(0.0, 0.0, 46.0, depth), 3.0, use_word);
+        for (number, level) in building.draft.levels.iter().enumerate() {
+            for stairs in rooms_of(&building, number, "stairs") {
+                let leads = |opening: &&crate::plan::OpeningDraft| opening.rooms.contains(&stairs.id);
+                let rooms = || level.openings.iter().filter(leads).flat_map(|opening| &opening.rooms);
+                let what = format!("{use_word} {number} {}", stairs.id);
+                assert!(rooms().any(|id| id.starts_with("walkway")), "{what}");
+                assert!(!rooms().any(|id| id.starts_with("storeroom")), "{what}");
+            }
+        }
+    }
+}
+
+#[test]
 fn a_hotel_is_entered_through_a_lobby() {
     let hotel = alone(rectangle(0.0, 0.0, 30.0, 14.0), 3.0, "hotel");
     assert_eq!((hotel.report.typology.as_str(), hotel.report.rung), ("hotel", 0), "{:?}", hotel.report);

@@ -2,6 +2,7 @@
 
 use crate::geometry::{Point, Segment};
 
+use super::deep::Piece;
 use super::dwelling::Port;
 use super::ring::{Axis, Ring, along, area, bounds, inner_corners, longest, shared, split, total_length};
 
@@ -13,6 +14,8 @@ const NARROWEST_WING: f64 = 4.5;
 const MEETING: f64 = 2.0;
 /// Wings of a storey at most.
 const MOST_WINGS: usize = 40;
+/// Metres of border for each place where two corridors meet that run along it.
+const MEETING_EVERY: f64 = 15.0;
 
 /// A wing with a corridor along its longer axis.
 #[derive(Clone, Debug)]
@@ -25,6 +28,10 @@ pub(super) struct Wing {
     pub(super) middle: f64,
     /// Where its corridor meets others; the first is where that of its parent does, if it has one.
     pub(super) ports: Vec<Port>,
+    /// Further places where it meets the same others: those beside which it runs, all along.
+    pub(super) passages: Vec<Port>,
+    /// Where it meets its parent: the first port and those of its passages.
+    pub(super) joined: Vec<Point>,
     /// The number of the wing that it is joined to; the root has none.
     pub(super) parent: Option<usize>,
 }
@@ -66,37 +73,67 @@ pub(super) fn compact(ring: Ring, found: &mut Vec<Ring>) {
 
 /// Wings whose corridors form a tree: the first is the root, and each other comes with the number of the one it is joined to.
 /// `None` where a wing borders on no other.
-pub(super) fn tree(rings: Vec<Ring>, entrance: Option<Point>) -> Option<Vec<Wing>> {
-    let mut open = rings;
-    let is_root = |ring: &Ring| {
+pub(super) fn tree(pieces: Vec<Piece>, entrance: Option<Point>) -> Option<Vec<Wing>> {
+    let mut open = pieces;
+    let worth = |Piece { ring, is_outer }: &Piece| {
         let near =
             entrance.is_some_and(|at| bounds(ring).gap(crate::geometry::Bounds::around_point(at, 0.1)) < 0.8);
-        area(ring) * if near { 3.0 } else { 1.0 }
+        // Stairs take no light in a core.
+        let share = if *is_outer { 0.0 } else { 1.0 };
+        area(ring) * share * if near { 3.0 } else { 1.0 }
     };
-    open.sort_by(|a, b| is_root(b).total_cmp(&is_root(a)));
-    let mut wings = vec![wing(open.remove(0))];
+    open.sort_by(|a, b| worth(b).total_cmp(&worth(a)));
+    let mut wings = vec![wing(open.remove(0).ring)];
     while !open.is_empty() {
         let joined = wings.iter().enumerate().find_map(|(parent, wing)| {
-            let meets = |(child, ring): (usize, &Ring)| Some((parent, child, meeting(&wing.ring, ring)?));
+            let meets =
+                |(child, piece): (usize, &Piece)| Some((parent, child, meeting(&wing.ring, &piece.ring)?));
             open.iter().enumerate().find_map(meets)
         });
         let (parent, child, border) = joined?;
-        let mut child = Wing { parent: Some(parent), ..wing(open.remove(child)) };
-        let at = meet(&wings[parent], &mut child, border);
-        // The border has the parent on its left: its normal leads into the parent.
-        wings[parent].ports.push(Port { at, way: border.normal() });
-        child.ports.push(Port { at, way: -border.normal() });
+        let mut child = Wing { parent: Some(parent), ..wing(open.remove(child).ring) };
+        join_wings(&mut wings[parent], &mut child, border);
         wings.push(child);
     }
     Some(wings)
 }
 
+/// Joins the corridors of two wings: at one place, and in passages where both run along their border.
+fn join_wings(parent: &mut Wing, child: &mut Wing, border: Segment) {
+    let at = meet(parent, child, border);
+    let runs_along = if border.vector().x.abs() > border.vector().y.abs() { Axis::X } else { Axis::Y };
+    let are_parallel = parent.axis == runs_along && child.axis == runs_along;
+    let count = if are_parallel { (border.length() / MEETING_EVERY).ceil().max(1.0) as usize } else { 1 };
+    // An even number of places has none in the middle.
+    let places = (0..count).map(|place| border.at((place as f64 + 0.5) / count as f64));
+    let mut places: Vec<Point> = if count == 1 { vec![at] } else { places.collect() };
+    let first = places.swap_remove(count / 2);
+    child.joined = std::iter::once(first).chain(places.iter().copied()).collect();
+    // The border has the parent on its left: its normal leads into the parent.
+    for (wing, way) in [(parent, border.normal()), (child, -border.normal())] {
+        wing.ports.push(Port { at: first, way });
+        wing.passages.extend(places.iter().map(|&at| Port { at, way }));
+    }
+}
+
 fn wing(ring: Ring) -> Wing {
-    let extent = bounds(&ring);
-    let size = extent.size();
-    let axis = if size.x >= size.y { Axis::X } else { Axis::Y };
-    let middle = along(extent.center(), across(axis));
-    Wing { ring, axis, middle: (middle * 1000.0).round() / 1000.0, ports: Vec::new(), parent: None }
+    let axis = longer_axis(&ring);
+    let middle = along(bounds(&ring).center(), across(axis));
+    Wing {
+        ring,
+        axis,
+        middle: (middle * 1000.0).round() / 1000.0,
+        ports: Vec::new(),
+        passages: Vec::new(),
+        joined: Vec::new(),
+        parent: None,
+    }
+}
+
+/// The axis along which a ring is longer.
+pub(super) fn longer_axis(ring: &Ring) -> Axis {
+    let size = bounds(ring).size();
+    if size.x >= size.y { Axis::X } else { Axis::Y }
 }
 
 pub(super) fn across(axis: Axis) -> Axis {
