@@ -171,13 +171,19 @@ fn rooms_of_a_deep_storey_lie_at_its_outer_walls_and_stairs_in_its_core() {
     // From the outer wall that is nearest.
     let reach = |corners: &[Point]| {
         let extent = ring::bounds(corners);
-        let far = Point::new(length, depth) - extent.low;
-        extent.high.min_element().min(far.min_element())
+        // A draft has its origin in the middle.
+        let half = Point::new(length, depth) / 2.0;
+        (extent.high + half).min_element().min((half - extent.low).min_element())
     };
     let wards = rooms_of(&ward, 1, "ward");
-    assert!(wards.len() >= 10 && wards.iter().all(|room| reach(&room.outline) < 10.0), "{}", wards.len());
+    let reaches: Vec<f64> = wards.iter().map(|room| reach(&room.outline)).collect();
+    assert!(
+        reaches.len() >= 10 && reaches.iter().all(|reach| *reach < 10.0),
+        "{reaches:?}, {:?}",
+        ward.report.refused
+    );
     let stairs = rooms_of(&ward, 1, "stairs");
-    assert!(stairs.iter().all(|room| ring::bounds(&room.outline).center().y > 8.0));
+    assert!(stairs.iter().any(|room| ring::bounds(&room.outline).center().y.abs() < 8.0));
     let is_corridor = |id: &String| id.starts_with("walkway");
     let joins = |opening: &&crate::plan::OpeningDraft| {
         opening.rooms.len() == 2 && opening.rooms.iter().all(is_corridor)
