@@ -30,7 +30,7 @@ mod walls;
 
 pub(super) use alike::Storeys;
 use free::OpeningIds;
-pub(super) use index::{BoxIndex, OutlineIndex, WallIndex, WallPlace};
+pub(super) use index::{BoxIndex, LooseIndex, OutlineIndex, WallIndex, WallPlace};
 pub(super) use walls::ray_hit;
 
 /// Metres from floor to floor where a draft names no usable height.

@@ -8,7 +8,7 @@
 
 use geo::{BooleanOps, unary_union};
 
-use super::assemble::BoxIndex;
+use super::assemble::LooseIndex;
 use super::clean::{Ring, clean_ring, largest_part, mean_width, meeting_point, to_points, to_surface};
 use crate::geometry::{Point, Polygon, Segment};
 
@@ -46,7 +46,7 @@ pub(super) fn inset_rooms(rooms: Vec<CenterRoom>, depth: f64) -> Vec<CenterRoom>
         return rooms;
     }
     let borders: Vec<Vec<Segment>> = rooms.iter().map(edges_of).collect();
-    let index = BoxIndex::of(borders.iter().enumerate().flat_map(|(room, edges)| {
+    let index = LooseIndex::of(borders.iter().enumerate().flat_map(|(room, edges)| {
         let edges = edges.iter().enumerate();
         edges.map(move |(edge, segment)| (segment.bounds(), (room, edge)))
     }));
@@ -74,7 +74,7 @@ fn edges_of(room: &CenterRoom) -> Vec<Segment> {
     room.ring.polygon.edges().chain(holes.map(Segment::reversed)).collect()
 }
 
-fn shared_edges(room: usize, borders: &[Vec<Segment>], index: &BoxIndex<(usize, usize)>) -> Vec<bool> {
+fn shared_edges(room: usize, borders: &[Vec<Segment>], index: &LooseIndex<(usize, usize)>) -> Vec<bool> {
     let own = &borders[room];
     let is_shared_by_any = |&border: &Segment| {
         let near = border.bounds().inflated(SHARED_DISTANCE);

@@ -194,17 +194,29 @@ fn storeys(
         // Stairs of a house stand beside other rooms on each level.
         trade_thin_parts(cells, Rules { typologies, fixed: is_house.then_some("stairs") });
     }
+    let levels: Vec<Vec<Cell>> = levels.into_iter().map(within_limits).collect();
+    let mut partition = partition_of(sketch, &levels[0]);
+    let mut is_of = 0;
     // Where the ground floor with another room at the way in is not sound, it is as those above.
-    let mut ground = storey(sketch, levels[0].clone(), true, &mut stream);
+    let mut ground = storey(sketch, &partition, true, &mut stream);
     if ground.fault.is_some() && brief.typology.entrance.is_some() && levels.len() > 1 {
-        ground = storey(sketch, levels[1].clone(), true, &mut stream);
+        (partition, is_of) = (partition_of(sketch, &levels[1]), 1);
+        ground = storey(sketch, &partition, true, &mut stream);
     }
     let mut found = vec![ground.sound()?];
     if brief.storeys > 1 {
-        let upper = storey(sketch, levels.swap_remove(levels.len() - 1), false, &mut stream).sound()?;
+        let last = levels.len() - 1;
+        if is_of != last {
+            partition = partition_of(sketch, &levels[last]);
+        }
+        let upper = storey(sketch, &partition, false, &mut stream).sound()?;
         found.extend(vec![upper; brief.storeys as usize - 1]);
     }
     Ok(found)
+}
+
+fn partition_of<'a>(sketch: Sketch<'a>, cells: &'a [Cell]) -> Partition<'a> {
+    Partition::new(cells, sketch.kind.typologies, sketch.kind.brief.typology.interior)
 }
 
 /// The ground floor with the room that people come into, where the kind has one.
@@ -216,27 +228,25 @@ fn entrance_floor(sketch: Sketch<'_>, cells: &[Cell]) -> Option<Vec<Cell>> {
 }
 
 /// A level with its doors and windows.
-fn storey(sketch: Sketch<'_>, cells: Vec<Cell>, is_ground: bool, stream: &mut Stream) -> Storey {
-    let Sketch { grounds, kind: Kind { brief, typologies, .. } } = sketch;
-    let cells = within_limits(cells);
-    let partition = Partition::new(&cells, typologies, brief.typology.interior);
+fn storey(sketch: Sketch<'_>, partition: &Partition<'_>, is_ground: bool, stream: &mut Stream) -> Storey {
+    let Sketch { grounds, kind: Kind { brief, .. } } = sketch;
     let links = if is_ground {
-        links_of_ground(grounds, &partition, stream)
+        links_of_ground(grounds, partition, stream)
     } else {
-        let has_stairs = cells.iter().any(|cell| cell.room_type == "stairs");
-        link(&partition, &[], has_stairs, stream)
+        let has_stairs = partition.cells.iter().any(|cell| cell.room_type == "stairs");
+        link(partition, &[], has_stairs, stream)
     };
     let has_balconies = !is_ground && stream.unit() < brief.typology.balconies;
-    let balconies = if has_balconies { balconies(&grounds[0], &partition) } else { Vec::new() };
+    let balconies = if has_balconies { balconies(&grounds[0], partition) } else { Vec::new() };
     let (outside, doors): (Vec<Cell>, Vec<Link>) =
         balconies.into_iter().map(|balcony| (balcony.cell, balcony.door)).unzip();
     let all_doors: Vec<Link> = links.links.iter().chain(&doors).cloned().collect();
     let fixed: Vec<Segment> = outside.iter().map(|cell| Segment::new(cell.ring[0], cell.ring[3])).collect();
-    let windows = windows(&grounds[0], &partition, Taken { doors: &all_doors, balconies: &fixed });
-    let lit = lit_rooms(&partition, &windows, &all_doors);
-    let fault = first_fault(grounds, &partition, &links, &lit, is_ground);
+    let windows = windows(&grounds[0], partition, Taken { doors: &all_doors, balconies: &fixed });
+    let lit = lit_rooms(partition, &windows, &all_doors);
+    let fault = first_fault(grounds, partition, &links, &lit, is_ground);
     let links = Links { links: all_doors, ..links };
-    let cells = cells.into_iter().chain(outside).collect();
+    let cells = partition.cells.iter().cloned().chain(outside).collect();
     let wall = grounds[0].wall.max(THINNEST_WALL);
     Storey { cells, links, windows, wall, fault }
 }
@@ -253,9 +263,11 @@ fn simplest(sketch: Sketch<'_>) -> (Vec<Storey>, u32) {
     let sketch = Sketch { kind: Kind { brief: &plain, ..sketch.kind }, ..sketch };
     // A ground floor, and one plan for all storeys above it.
     let mut levels = |cells: Vec<Cell>| -> Vec<Storey> {
-        let mut levels = vec![storey(sketch, cells.clone(), true, &mut stream)];
+        let cells = within_limits(cells);
+        let partition = partition_of(sketch, &cells);
+        let mut levels = vec![storey(sketch, &partition, true, &mut stream)];
         if brief.storeys > 1 {
-            let upper = storey(sketch, cells, false, &mut stream);
+            let upper = storey(sketch, &partition, false, &mut stream);
             levels.extend(vec![upper; brief.storeys as usize - 1]);
         }
         levels

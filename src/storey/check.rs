@@ -1,6 +1,7 @@
 //! Whether a level keeps what later stages and people rely on; a plan that does not is tried in a simpler way.
 
 use super::disc::{is_as_wide_as, is_simple};
+use super::dwelling::Cell;
 use super::egress::too_far_out;
 use super::faces::Partition;
 use super::links::Links;
@@ -30,20 +31,27 @@ pub(super) fn first_fault(
         return Some(format!("no door leads to the {}", cells[*room].room_type));
     }
     for (index, cell) in cells.iter().enumerate() {
-        if !is_simple(&cell.ring) {
-            return Some(format!("the outline of the {} crosses itself", cell.room_type));
-        }
-        if has_slivers(&partition.faces[index]) {
-            return Some(format!("a part of the {} is narrower than {SLIVER_WIDTH} m", cell.room_type));
+        if let Some(fault) = partition.form_fault(index, || form_fault(partition, index)) {
+            return Some(fault.to_owned());
         }
         let Some(needs) = typologies.rooms.get(&cell.room_type) else { continue };
-        if !is_as_wide_as(&cell.ring, needs.width) {
-            return Some(format!("the {} is narrower than {} m", cell.room_type, needs.width));
-        }
         if needs.light == Light::Required && !lit[index] {
             return Some(format!("the {} has no window", cell.room_type));
         }
     }
     let far = too_far_out(partition, links, is_ground);
     far.map(|(room, metres)| format!("from the {} it is {metres:.0} m to a way out", cells[room].room_type))
+}
+
+/// What is wrong with the form of a room.
+fn form_fault(partition: &Partition<'_>, room: usize) -> Option<String> {
+    let Cell { ring, room_type, .. } = &partition.cells[room];
+    if !is_simple(ring) {
+        return Some(format!("the outline of the {room_type} crosses itself"));
+    }
+    if has_slivers(&partition.faces[room]) {
+        return Some(format!("a part of the {room_type} is narrower than {SLIVER_WIDTH} m"));
+    }
+    let width = partition.typologies.rooms.get(room_type)?.width;
+    (!is_as_wide_as(ring, width)).then(|| format!("the {room_type} is narrower than {width} m"))
 }

@@ -255,7 +255,7 @@ fn along_corridor(task: &mut Task<'_>, ground: &Ground, ways: &Ways, access: Acc
     for row in order {
         let contact = row.contact_between(row.from, row.to).map_or(0.0, |(from, to)| to - from);
         if row.depth() < LEAST_ROW || contact < DOOR_STRETCH {
-            left_over.push(row.ring.clone());
+            left_over.push(Ring::clone(&row.ring));
             continue;
         }
         cells.extend(row_cells(task, ground, row, &strip, &mut left_over)?);
@@ -472,7 +472,7 @@ fn row_cells(
         kinds.push((room_type.to_owned(), left / count as f64));
     }
     if kinds.is_empty() {
-        left_over.push(row.ring.clone());
+        left_over.push(Ring::clone(&row.ring));
         return Some(Vec::new());
     }
     if count == 0 {

@@ -71,7 +71,11 @@ impl Border {
         for &Edge { start, vector, length_squared } in &self.0 {
             let to_point = point - start;
             let share = (to_point.dot(vector) / length_squared).clamp(0.0, 1.0);
-            least = least.min((to_point - vector * share).length_squared());
+            let gap = (to_point - vector * share).length_squared();
+            // Not `min`, which looks for what is no number.
+            if gap < least {
+                least = gap;
+            }
             if (to_point.y < 0.0) != (to_point.y < vector.y) {
                 is_inside ^= to_point.x < to_point.y / vector.y * vector.x;
             }

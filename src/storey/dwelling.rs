@@ -4,7 +4,9 @@ use crate::geometry::Point;
 use crate::layout::seed::Stream;
 
 use super::disc::{is_as_wide_as, is_simple};
-use super::fill::{DOOR_STRETCH, Filling, Floor, LIGHT_EACH, Slice, WINDOW_STRETCH, Wish, fill, needed};
+use super::fill::{
+    DOOR_STRETCH, Filling, Floor, LIGHT_EACH, Slice, WINDOW_STRETCH, Wanted, Wish, fill, needed,
+};
 use super::hall::Hall;
 use super::ring::{Axis, Ring, area, bounds, join, shared_length, split, total_length};
 use super::spine::{
@@ -148,7 +150,8 @@ impl<'a> Strips<'a> {
             self.bands.push((key, band));
             self.bands.len() - 1
         });
-        spine_of(self.side(scheme.is_turned), self.bands[index].1.as_ref()?, scheme, ports)
+        let ground = if scheme.is_turned { &self.turned } else { self.ground };
+        spine_of(ground, self.bands[index].1.as_mut()?, scheme, ports)
     }
 
     /// All ways to divide the ground of a task; they are the same for all programmes.
@@ -173,11 +176,12 @@ pub(super) fn plan(
     stream: &mut Stream,
 ) -> Vec<Planned> {
     let wishes = wishes(task);
+    let wanted_rooms = with_and_without_last(&wishes);
     let mut drafts = Vec::new();
     for division in divisions {
         let spine = &division.spine;
         let hall = hall_of(task, &division.scheme);
-        if let Some(filling) = fill_or_more(Floor { rows: &spine.rows, hall }, &wishes, TRIES, stream) {
+        if let Some(filling) = fill_or_more(Floor { rows: &spine.rows, hall }, &wanted_rooms, TRIES, stream) {
             let strip_cost = match hall {
                 Some(_) => filling.hall_cost,
                 None => HALL_COST * area(&spine.strip) / area(&task.ground.ring),
@@ -212,7 +216,8 @@ pub(super) fn plan_alike(
     let wishes = wishes(task);
     let Some(spine) = strips.spine(scheme, &[]) else { return Vec::new() };
     let floor = Floor { rows: &spine.rows, hall: None };
-    let Some(filling) = fill_or_more(floor, &wishes, 4 * TRIES, stream) else { return Vec::new() };
+    let rooms = with_and_without_last(&wishes);
+    let Some(filling) = fill_or_more(floor, &rooms, 4 * TRIES, stream) else { return Vec::new() };
     let division = Division { scheme: scheme.clone(), spine };
     draw_best(task, vec![(filling.cost, &division, filling)], &wishes, 1)
 }
@@ -255,13 +260,22 @@ pub(super) fn fitting<'a>(
 }
 
 /// The rooms of the programme in the rows; where there are more rows than that, with a storeroom, which is the last wish.
-fn fill_or_more(floor: Floor<'_>, wishes: &[Wish<'_>], tries: u32, stream: &mut Stream) -> Option<Filling> {
-    let (_, programme) = wishes.split_last()?;
+fn fill_or_more(
+    floor: Floor<'_>,
+    [programme, all]: &[Wanted<'_>; 2],
+    tries: u32,
+    stream: &mut Stream,
+) -> Option<Filling> {
     fill(floor, programme, tries, stream).or_else(|| {
-        let mut filling = fill(floor, wishes, tries / 2, stream)?;
+        let mut filling = fill(floor, all, tries / 2, stream)?;
         filling.cost += MORE_COST;
         Some(filling)
     })
+}
+
+/// Wishes without the last, and all of them.
+fn with_and_without_last<'a>(wishes: &'a [Wish<'a>]) -> [Wanted<'a>; 2] {
+    [Wanted::of(&wishes[..wishes.len().saturating_sub(1)]), Wanted::of(wishes)]
 }
 
 /// The rooms of the programme, and a storeroom that it may do without.
@@ -389,7 +403,7 @@ fn stairs_beside(
     found
 }
 
-fn spine_of(ground: &Ground, band: &Band, scheme: &Scheme, ports: &[Fixed]) -> Option<Spine> {
+fn spine_of(ground: &Ground, band: &mut Band, scheme: &Scheme, ports: &[Fixed]) -> Option<Spine> {
     let mut fixed = ports.to_vec();
     let mut flight = None;
     match scheme.stairs {

@@ -1,5 +1,7 @@
 //! The inner faces of rooms: what their walls leave for doors and windows once inner walls have their thickness.
 
+use std::cell::OnceCell;
+
 use crate::geometry::{Point, Segment};
 use crate::plan::inner_faces;
 
@@ -30,6 +32,8 @@ pub(super) struct Partition<'a> {
     pub(super) borders: Vec<Vec<(usize, Segment)>>,
     /// Metres of inner walls.
     thickness: f64,
+    /// By room: what is wrong with its form, once it was looked at.
+    form_faults: Vec<OnceCell<Option<String>>>,
 }
 
 impl<'a> Partition<'a> {
@@ -38,7 +42,13 @@ impl<'a> Partition<'a> {
         let rings: Vec<&[Point]> = cells.iter().map(|cell| cell.ring.as_slice()).collect();
         let faces = inner_faces(&rings, thickness);
         let borders = borders(cells, &faces, thickness);
-        Self { cells, typologies, faces, borders, thickness }
+        let form_faults = vec![OnceCell::new(); cells.len()];
+        Self { cells, typologies, faces, borders, thickness, form_faults }
+    }
+
+    /// What is wrong with the form of a room, by a function of its number, which is asked once: levels that are alike share it.
+    pub(super) fn form_fault(&self, room: usize, find: impl FnOnce() -> Option<String>) -> Option<&str> {
+        self.form_faults[room].get_or_init(find).as_deref()
     }
 
     /// Whether people may walk through a room.

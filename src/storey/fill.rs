@@ -97,34 +97,19 @@ pub(super) struct Floor<'a> {
 /// The best of several ways to fill the rows; `None` if none keeps to what rooms need.
 pub(super) fn fill(
     floor: Floor<'_>,
-    wishes: &[Wish<'_>],
+    wanted: &Wanted<'_>,
     tries: u32,
     stream: &mut Stream,
 ) -> Option<Filling> {
-    let rows = floor.rows;
-    if rows.is_empty() || rows.len() > wishes.len() {
+    if floor.rows.is_empty() || floor.rows.len() > wanted.wishes.len() {
         return None;
     }
-    // Rooms that need windows share what light there is.
-    let lengths: Vec<f64> = rows.iter().map(|row| row.light_between(row.from - 1.0, row.to + 1.0)).collect();
-    let needing = wishes.iter().filter(|wish| wish.needs.light == Light::Required);
-    let mut stretches: Vec<f64> = needing.map(|wish| wish.stretch()).collect();
-    stretches.sort_by(f64::total_cmp);
-    let housed: usize = lengths.iter().map(|&length| housed_behind(length, &stretches)).sum();
-    if housed < stretches.len() || lengths.iter().sum::<f64>() < LIGHT_EACH * stretches.len() as f64 {
-        return None;
-    }
-    // Each row takes one of them at least.
-    let suits = |row: &Row, wish: &Wish<'_>| wish.least() <= row.depth().min(row.length());
-    let is_used = |row: &Row| wishes.iter().any(|wish| suits(row, wish));
-    let is_housed = |wish: &Wish<'_>| rows.iter().any(|row| suits(row, wish));
-    if !rows.iter().all(is_used) || !wishes.iter().all(is_housed) {
-        return None;
-    }
+    let mut ways = Ways::of(floor, wanted)?;
     let mut best: Option<Filling> = None;
     for attempt in 0..tries {
-        let way = shuffled(rows, wishes, &lengths, stream).and_then(|order| place(floor, wishes, &order));
-        if let Some(way) = way.filter(|way| best.as_ref().is_none_or(|best| way.total() < best.total())) {
+        let limit = best.as_ref().map_or(f64::INFINITY, Filling::total);
+        let way = if ways.shuffle(stream) { ways.place(limit) } else { None };
+        if let Some(way) = way.filter(|way| best.is_none() || way.total() < limit) {
             best = Some(way);
         }
         // Where nothing came out so far, hardly anything will.
@@ -146,139 +131,279 @@ fn housed_behind(length: f64, stretches: &[f64]) -> usize {
     stretches.iter().take_while(has_light).count()
 }
 
-/// The wishes of each row in an order.
-fn shuffled(
-    rows: &[Row],
-    wishes: &[Wish<'_>],
-    lengths: &[f64],
-    stream: &mut Stream,
-) -> Option<Vec<Vec<usize>>> {
-    let total: f64 = wishes.iter().map(|wish| wish.area).sum();
-    let available: f64 = rows.iter().map(Row::area).sum();
-    let mut room: Vec<f64> = rows.iter().map(|row| row.area() * total / available).collect();
-    let mut light = lengths.to_vec();
-    let mut free: Vec<f64> = rows.iter().map(Row::length).collect();
-    let depths: Vec<f64> = rows.iter().map(Row::depth).collect();
-    let mut order: Vec<(f64, usize)> = wishes
-        .iter()
-        .enumerate()
-        .map(|(index, wish)| (wish.area * stream.between(0.6, 1.6), index))
-        .collect();
-    order.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-    let mut chosen: Vec<Vec<usize>> = vec![Vec::new(); rows.len()];
-    for (_, index) in order {
-        let wish = &wishes[index];
-        let mut best: Option<(f64, usize)> = None;
-        for row in 0..rows.len() {
-            let needs_light = wish.needs.light == Light::Required;
-            let is_wide = wish.least() <= free[row].min(depths[row]);
-            if !is_wide || (needs_light && light[row] < WINDOW_STRETCH) {
-                continue;
-            }
-            let is_lit = lengths[row] > WINDOW_STRETCH;
-            let waste = if !needs_light && is_lit { 0.5 } else { 0.0 };
-            let worth = room[row] / wish.area.max(1.0) - waste + stream.between(0.0, 0.6);
-            if best.is_none_or(|(known, _)| worth > known) {
-                best = Some((worth, row));
-            }
-        }
-        let (_, row) = best?;
-        room[row] -= wish.area;
-        free[row] -= wish.least();
-        light[row] -= wish.stretch();
-        let at = stream.below(chosen[row].len() + 1);
-        chosen[row].insert(at, index);
-    }
-    chosen.iter().all(|row| !row.is_empty()).then_some(chosen)
+/// A row with the figures that each way to fill it asks for.
+struct Place<'a> {
+    row: &'a Row,
+    area: f64,
+    length: f64,
+    depth: f64,
+    /// Metres of outer wall with light.
+    light: f64,
+    /// Square metres of wishes that are its share.
+    share: f64,
 }
 
-fn place(Floor { rows, hall }: Floor<'_>, wishes: &[Wish<'_>], order: &[Vec<usize>]) -> Option<Filling> {
-    let mut slices = Vec::with_capacity(wishes.len());
-    let mut cost = 0.0;
-    for (row, chosen) in order.iter().enumerate() {
-        let wished: f64 = chosen.iter().map(|&wish| wishes[wish].area).sum();
-        let scale = rows[row].area() / wished;
+/// The figures of a wish.
+struct Want {
+    area: f64,
+    least: f64,
+    stretch: f64,
+    needs_light: bool,
+    /// Metres along the row that a room which needs no light has at least.
+    inner_width: f64,
+}
+
+impl Want {
+    fn of(wish: &Wish<'_>) -> Self {
+        let width = wish.needs.width + MARGIN;
+        // A room that ends before the outer wall is not much deeper than it is wide.
+        let inner_width = if wish.needs.inner { width.max(INNER_WIDTH * wish.area.sqrt()) } else { width };
+        let needs_light = wish.needs.light == Light::Required;
+        Self { area: wish.area, least: wish.least(), stretch: wish.stretch(), needs_light, inner_width }
+    }
+}
+
+/// What is left of a row while wishes are dealt out.
+#[derive(Clone, Copy)]
+struct Rest {
+    room: f64,
+    light: f64,
+    free: f64,
+}
+
+/// The wishes of a dwelling, with what each way to divide its ground asks of them.
+pub(super) struct Wanted<'a> {
+    wishes: &'a [Wish<'a>],
+    wants: Vec<Want>,
+    /// Metres of outer wall of those that need light, rising.
+    stretches: Vec<f64>,
+    /// Square metres of all.
+    area: f64,
+}
+
+impl<'a> Wanted<'a> {
+    /// Of some wishes.
+    pub(super) fn of(wishes: &'a [Wish<'a>]) -> Self {
+        let wants: Vec<Want> = wishes.iter().map(Want::of).collect();
+        let needing = wants.iter().filter(|want| want.needs_light);
+        let mut stretches: Vec<f64> = needing.map(|want| want.stretch).collect();
+        stretches.sort_by(f64::total_cmp);
+        let area = wants.iter().map(|want| want.area).sum();
+        Self { wishes, wants, stretches, area }
+    }
+}
+
+/// Ways to fill rows with wishes, one after the other.
+struct Ways<'a> {
+    wishes: &'a [Wish<'a>],
+    hall: Option<Hall<'a>>,
+    places: Vec<Place<'a>>,
+    wants: &'a [Want],
+    /// The wishes in the order in which they are dealt out.
+    order: Vec<(f64, usize)>,
+    rests: Vec<Rest>,
+    /// By row: its wishes in order.
+    chosen: Vec<Vec<usize>>,
+    slices: Vec<Slice>,
+    /// By slice: where it borders on the strip.
+    contacts: Vec<Option<(f64, f64)>>,
+}
+
+impl<'a> Ways<'a> {
+    /// `None` where no way can be sound.
+    fn of(Floor { rows, hall }: Floor<'a>, wanted: &'a Wanted<'a>) -> Option<Self> {
+        let Wanted { wishes, wants, stretches, area: total } = wanted;
+        // Rooms that need windows share what light there is.
+        let lengths = rows.iter().map(|row| row.light_between(row.from - 1.0, row.to + 1.0));
+        let available: f64 = rows.iter().map(Row::area).sum();
+        let place = |(row, light): (&'a Row, f64)| Place {
+            row,
+            area: row.area(),
+            length: row.length(),
+            depth: row.depth(),
+            light,
+            share: row.area() * total / available,
+        };
+        let places: Vec<Place<'a>> = rows.iter().zip(lengths).map(place).collect();
+        let housed: usize = places.iter().map(|place| housed_behind(place.light, stretches)).sum();
+        let light: f64 = places.iter().map(|place| place.light).sum();
+        if housed < stretches.len() || light < LIGHT_EACH * stretches.len() as f64 {
+            return None;
+        }
+        // Each row takes one of them at least.
+        let suits = |place: &Place<'_>, want: &Want| want.least <= place.depth.min(place.length);
+        let is_used = |place: &Place<'_>| wants.iter().any(|want| suits(place, want));
+        let is_housed = |want: &Want| places.iter().any(|place| suits(place, want));
+        if !places.iter().all(is_used) || !wants.iter().all(is_housed) {
+            return None;
+        }
+        let chosen = vec![Vec::with_capacity(wishes.len()); rows.len()];
+        let (order, slices, contacts) =
+            (Vec::with_capacity(wishes.len()), Vec::with_capacity(wishes.len()), Vec::new());
+        Some(Self { wishes, hall, places, wants, order, rests: Vec::new(), chosen, slices, contacts })
+    }
+
+    /// Deals the wishes out to the rows; `false` where one has no place, or a row has none.
+    fn shuffle(&mut self, stream: &mut Stream) -> bool {
+        let Self { places, wants, order, rests, chosen, .. } = self;
+        rests.clear();
+        rests.extend(places.iter().map(|place| Rest {
+            room: place.share,
+            light: place.light,
+            free: place.length,
+        }));
+        order.clear();
+        order.extend(
+            wants.iter().enumerate().map(|(index, want)| (want.area * stream.between(0.6, 1.6), index)),
+        );
+        // No two are equal, for each has its number.
+        order.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        chosen.iter_mut().for_each(Vec::clear);
+        for &(_, index) in &*order {
+            let want = &wants[index];
+            let mut best: Option<(f64, usize)> = None;
+            for (row, (place, rest)) in places.iter().zip(&*rests).enumerate() {
+                let is_wide = want.least <= rest.free.min(place.depth);
+                if !is_wide || (want.needs_light && rest.light < WINDOW_STRETCH) {
+                    continue;
+                }
+                let waste = if !want.needs_light && place.light > WINDOW_STRETCH { 0.5 } else { 0.0 };
+                let worth = rest.room / want.area.max(1.0) - waste + stream.between(0.0, 0.6);
+                if best.is_none_or(|(known, _)| worth > known) {
+                    best = Some((worth, row));
+                }
+            }
+            let Some((_, row)) = best else { return false };
+            rests[row].room -= want.area;
+            rests[row].free -= want.least;
+            rests[row].light -= want.stretch;
+            let at = stream.below(chosen[row].len() + 1);
+            chosen[row].insert(at, index);
+        }
+        chosen.iter().all(|row| !row.is_empty())
+    }
+
+    /// The rooms of the last shuffle; `None` where they do not keep to what they need, or cost no less than a limit.
+    fn place(&mut self, limit: f64) -> Option<Filling> {
+        self.slices.clear();
+        self.contacts.clear();
+        let mut cost = 0.0;
+        for row in 0..self.places.len() {
+            cost += self.place_row(row)?;
+            // What is to come costs nothing less than nothing.
+            if cost >= limit {
+                return None;
+            }
+        }
+        let Some(hall) = self.hall else {
+            return Some(Filling { slices: self.slices.clone(), cost, hall: None, hall_cost: 0.0 });
+        };
+        let is_worth = |hall_cost: f64| cost + hall_cost < limit;
+        let (reach, hall_cost) = shorten(&self.contacts, self.wishes, hall, (&mut self.slices, &is_worth))?;
+        Some(Filling { slices: self.slices.clone(), cost, hall: Some(reach), hall_cost })
+    }
+
+    /// Sets the rooms of a row side by side; their cost.
+    fn place_row(&mut self, row: usize) -> Option<f64> {
+        let Self { places, wants, chosen, slices, .. } = self;
+        let (place, chosen) = (&places[row], &chosen[row]);
+        let wished: f64 = chosen.iter().map(|&wish| wants[wish].area).sum();
+        let scale = place.area / wished;
         if !(ROW_SCALE.0..=ROW_SCALE.1).contains(&scale) {
             return None;
         }
-        let areas = shares(chosen, wishes, &rows[row]);
-        let mut taken = 0.0;
-        let mut from = rows[row].from;
+        let shares = Shares::of(chosen, wants, place);
+        let (mut taken, mut from) = (0.0, place.row.from);
         let first = slices.len();
-        for (place, (&wish, area)) in chosen.iter().zip(areas).enumerate() {
-            taken += area;
-            let is_last = place + 1 == chosen.len();
-            let to = if is_last { rows[row].to } else { (rows[row].place_of(taken) * 20.0).round() / 20.0 };
+        for (number, &wish) in chosen.iter().enumerate() {
+            taken += shares.area(&wants[wish]);
+            let is_last = number + 1 == chosen.len();
+            let to = if is_last { place.row.to } else { (place.row.place_of(taken) * 20.0).round() / 20.0 };
             slices.push(Slice { wish, row, from, to, is_at_strip: false, is_at_hall: false });
             from = to;
         }
-        cost += judge_row(&rows[row], wishes, &mut slices[first..], scale)?;
+        self.judge_row(row, first, scale)
     }
-    let Some(hall) = hall else { return Some(Filling { slices, cost, hall: None, hall_cost: 0.0 }) };
-    let (reach, hall_cost) = shorten(rows, wishes, hall, &mut slices)?;
-    Some(Filling { slices, cost, hall: Some(reach), hall_cost })
-}
 
-/// Square metres of each room of a row, which fill it: where there is more than was wished for, baths and stores grow less than
-/// rooms to live in, but to the width that they need.
-fn shares(chosen: &[usize], wishes: &[Wish<'_>], row: &Row) -> Vec<f64> {
-    let wished: f64 = chosen.iter().map(|&wish| wishes[wish].area).sum();
-    let (available, depth) = (row.area(), row.depth());
-    let scale = available / wished;
-    let is_large = |wish: usize| wishes[wish].needs.light == Light::Required;
-    let small = |wish: usize| {
-        let grown = wishes[wish].area * if scale > 1.0 { scale.sqrt() } else { scale };
-        let width = wishes[wish].needs.width + MARGIN;
-        // A room that ends before the outer wall is not much deeper than it is wide.
-        let width =
-            if wishes[wish].needs.inner { width.max(INNER_WIDTH * wishes[wish].area.sqrt()) } else { width };
-        grown.max(width * depth)
-    };
-    let of_small: f64 = chosen.iter().filter(|&&wish| !is_large(wish)).map(|&wish| small(wish)).sum();
-    let of_large: f64 = chosen.iter().filter(|&&wish| is_large(wish)).map(|&wish| wishes[wish].area).sum();
-    let (for_large, for_small) = match of_large > 0.0 {
-        true => ((available - of_small).max(0.0) / of_large, 1.0),
-        false => (0.0, available / of_small),
-    };
-    let share =
-        |&wish: &usize| if is_large(wish) { wishes[wish].area * for_large } else { small(wish) * for_small };
-    chosen.iter().map(share).collect()
-}
-
-fn judge_row(row: &Row, wishes: &[Wish<'_>], slices: &mut [Slice], scale: f64) -> Option<f64> {
-    let mut cost = 0.0;
-    for slice in &mut *slices {
-        let needs = wishes[slice.wish].needs;
-        let (length, depth) = (slice.to - slice.from, row.depth());
-        if length.min(depth) < wishes[slice.wish].least() {
+    /// What the slices of a row cost, from one on; `None` where one does not keep to what its room needs.
+    fn judge_row(&mut self, row: usize, first: usize, scale: f64) -> Option<f64> {
+        let Self { wishes, wants, places, slices, contacts, .. } = self;
+        let (wishes, Place { row, depth, .. }) = (*wishes, &places[row]);
+        let depth = *depth;
+        let slices = &mut slices[first..];
+        let is_wide = |slice: &Slice| (slice.to - slice.from).min(depth) >= wants[slice.wish].least;
+        if !slices.iter().all(is_wide) {
             return None;
         }
-        if needs.light == Light::Required && row.light_between(slice.from, slice.to) < WINDOW_STRETCH {
-            return None;
+        let mut cost = 0.0;
+        let scale_cost = libm::log(scale).abs();
+        for slice in &mut *slices {
+            let length = slice.to - slice.from;
+            if wants[slice.wish].needs_light && row.light_between(slice.from, slice.to) < WINDOW_STRETCH {
+                return None;
+            }
+            let contact = row.contact_between(slice.from, slice.to);
+            contacts.push(contact);
+            slice.is_at_strip = contact.map_or(0.0, |(from, to)| to - from) >= DOOR_STRETCH;
+            slice.is_at_hall = slice.is_at_strip;
+            let slenderness = length.max(depth) / length.min(depth);
+            let good_width = wishes[slice.wish].needs.good_width;
+            let narrowness = good_width.map_or(0.0, |good| (good - length.min(depth)).max(0.0));
+            cost += scale_cost + (slenderness - SLENDER).max(0.0) + NARROW_COST * narrowness;
         }
-        let contact = row.contact_between(slice.from, slice.to).map_or(0.0, |(from, to)| to - from);
-        slice.is_at_strip = contact >= DOOR_STRETCH;
-        slice.is_at_hall = slice.is_at_strip;
-        let slenderness = length.max(depth) / length.min(depth);
-        let narrowness = needs.good_width.map_or(0.0, |good| (good - length.min(depth)).max(0.0));
-        cost += libm::log(scale).abs() + (slenderness - SLENDER).max(0.0) + NARROW_COST * narrowness;
+        for index in 0..slices.len() {
+            if slices[index].is_at_hall {
+                continue;
+            }
+            // A room that the hall does not reach is entered from a neighbour that may be walked through.
+            let neighbours = [index.checked_sub(1), Some(index + 1).filter(|&next| next < slices.len())];
+            let doors = &wishes[slices[index].wish].needs.doors;
+            let leads = |other: usize| {
+                slices[other].is_at_hall
+                    && doors.iter().any(|door| door == wishes[slices[other].wish].room_type)
+            };
+            if !neighbours.into_iter().flatten().any(leads) {
+                return None;
+            }
+            cost += 0.4;
+        }
+        Some(cost)
     }
-    for index in 0..slices.len() {
-        if slices[index].is_at_hall {
-            continue;
-        }
-        // A room that the hall does not reach is entered from a neighbour that may be walked through.
-        let neighbours = [index.checked_sub(1), Some(index + 1).filter(|&next| next < slices.len())];
-        let doors = &wishes[slices[index].wish].needs.doors;
-        let leads = |other: usize| {
-            slices[other].is_at_hall && doors.iter().any(|door| door == wishes[slices[other].wish].room_type)
+}
+
+/// How the rooms of a row share its floor, which they fill: where there is more than was wished for, baths and stores grow less
+/// than rooms to live in, but to the width that they need.
+struct Shares {
+    scale: f64,
+    depth: f64,
+    for_large: f64,
+    for_small: f64,
+}
+
+impl Shares {
+    fn of(chosen: &[usize], wants: &[Want], place: &Place<'_>) -> Self {
+        let chosen = || chosen.iter().map(|&wish| &wants[wish]);
+        let wished: f64 = chosen().map(|want| want.area).sum();
+        let (available, depth) = (place.area, place.depth);
+        let scale = available / wished;
+        let plain = Self { scale, depth, for_large: 1.0, for_small: 1.0 };
+        let of_small: f64 = chosen().filter(|want| !want.needs_light).map(|want| plain.area(want)).sum();
+        let of_large: f64 = chosen().filter(|want| want.needs_light).map(|want| want.area).sum();
+        let (for_large, for_small) = match of_large > 0.0 {
+            true => ((available - of_small).max(0.0) / of_large, 1.0),
+            false => (0.0, available / of_small),
         };
-        if !neighbours.into_iter().flatten().any(leads) {
-            return None;
-        }
-        cost += 0.4;
+        Self { for_large, for_small, ..plain }
     }
-    Some(cost)
+
+    /// Square metres of a room.
+    fn area(&self, want: &Want) -> f64 {
+        if want.needs_light {
+            return want.area * self.for_large;
+        }
+        let grown = want.area * if self.scale > 1.0 { self.scale.sqrt() } else { self.scale };
+        grown.max(want.inner_width * self.depth) * self.for_small
+    }
 }
 
 /// From where to where along the strip the hall is needed by these slices: each keeps [`DOOR_STRETCH`] of it.

@@ -1,7 +1,6 @@
 //! How far the hall of a dwelling reaches: it ends where no room needs it, for rooms may be entered from a living room too.
 
 use super::fill::{DOOR_STRETCH, Slice, Wish};
-use super::spine::Row;
 use super::typology::Light;
 
 /// Share of an end of the strip along which a living room lies that takes it.
@@ -31,7 +30,7 @@ struct Strip<'a> {
     wishes: &'a [Wish<'a>],
     hall_type: &'a str,
     /// By room: where it borders on the strip.
-    contacts: Vec<Option<(f64, f64)>>,
+    contacts: &'a [Option<(f64, f64)>],
     /// From where to where some room borders on the strip.
     extent: (f64, f64),
 }
@@ -46,23 +45,22 @@ struct Reach {
 
 /// Shortens the hall as far as that is worth it: rooms at its ends are then not at the hall but entered from a living room, or are
 /// the living room that takes the end of the strip. Returns from where to where it reaches, and what it costs, with the rooms that
-/// are entered from another than the best for them.
+/// are entered from another than the best for them; `None` where no hall is worth its cost. `contacts` are by slice: where it
+/// borders on the strip.
 pub(super) fn shorten(
-    rows: &[Row],
+    contacts: &[Option<(f64, f64)>],
     wishes: &[Wish<'_>],
     hall: Hall<'_>,
-    slices: &mut [Slice],
+    (slices, is_worth): (&mut [Slice], &dyn Fn(f64) -> bool),
 ) -> Option<((f64, f64), f64)> {
     if slices.len() > MOST_ROOMS {
         return None;
     }
-    let contacts: Vec<Option<(f64, f64)>> =
-        slices.iter().map(|slice| rows[slice.row].contact_between(slice.from, slice.to)).collect();
     let extent = contacts.iter().flatten().fold((f64::INFINITY, f64::NEG_INFINITY), |extent, contact| {
         (contact.0.min(extent.0), contact.1.max(extent.1))
     });
     let strip = Strip { rooms: slices, wishes, hall_type: hall.room_type, contacts, extent };
-    let best = strip.best_reach(hall)?;
+    let best = strip.best_reach(hall, is_worth)?;
     for (index, slice) in slices.iter_mut().enumerate() {
         slice.is_at_hall = best.at_hall & (1 << index) != 0;
     }
@@ -71,7 +69,7 @@ pub(super) fn shorten(
 
 impl Strip<'_> {
     /// The cheapest of all places at which the hall may begin and end.
-    fn best_reach(&self, hall: Hall<'_>) -> Option<Reach> {
+    fn best_reach(&self, hall: Hall<'_>, is_worth: &dyn Fn(f64) -> bool) -> Option<Reach> {
         let contacts = || self.contacts.iter().flatten().filter(|(from, to)| to - from >= DOOR_STRETCH);
         let (latest, earliest) = hall.port.unwrap_or((f64::INFINITY, f64::NEG_INFINITY));
         let mut lows: Vec<f64> = contacts().map(|(_, to)| (to - DOOR_STRETCH).min(latest)).collect();
@@ -85,7 +83,8 @@ impl Strip<'_> {
             let start = low.max(self.extent.0);
             for &high in highs.iter().filter(|high| high.min(self.extent.1) - start >= LEAST_HALL) {
                 let length_cost = (high - low) * hall.per_metre;
-                if best.is_some_and(|best| best.cost <= length_cost) {
+                // The rooms may add to that, and longer halls cost more.
+                if best.is_some_and(|best| best.cost <= length_cost) || !is_worth(length_cost) {
                     break;
                 }
                 let reach = self.reach((low, high), length_cost);
@@ -183,7 +182,7 @@ impl Strip<'_> {
 #[cfg(test)]
 mod tests {
     use super::super::facade::{Around, look_out};
-    use super::super::fill::{Filling, Floor, fill};
+    use super::super::fill::{Filling, Floor, Wanted, fill};
     use super::super::ring::Ring;
     use super::super::spine::{Ground, Spine};
     use super::*;
@@ -212,7 +211,8 @@ mod tests {
         };
         let hall = Hall { room_type: "corridor", port: Some((-0.7, 0.7)), per_metre };
         let floor = Floor { rows: &spine.rows, hall: Some(hall) };
-        fill(floor, &ROOMS.map(wish), 60, &mut building_stream(1, "a", "b")).expect("a filling")
+        let wishes = ROOMS.map(wish);
+        fill(floor, &Wanted::of(&wishes), 60, &mut building_stream(1, "a", "b")).expect("a filling")
     }
 
     #[test]

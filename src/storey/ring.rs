@@ -10,6 +10,10 @@ use crate::geometry::{Bounds, Point, Segment, edges};
 const GRID: f64 = 1000.0;
 /// A corner this close in metres to a line lies on it: half a step of the grid, and what rounding adds.
 const ON_LINE: f64 = 0.0011;
+/// Square of the metres of an edge above which edges that run along it are not farther from it than [`BESIDE`].
+const LEAST_SURE: f64 = 0.01;
+/// Metres: an edge of 0.1 m and others whose ends are twice [`ON_LINE`], times that length, to its side are closer.
+const BESIDE: f64 = 0.03;
 /// Pieces below this many square metres are what rounding leaves.
 const CRUMB: f64 = 0.01;
 
@@ -28,7 +32,18 @@ pub(super) enum Axis {
 /// The nearest point of the grid.
 pub(super) fn on_grid(point: Point) -> Point {
     // Adding zero makes negative zero zero.
-    Point::new((point.x * GRID).round() / GRID + 0.0, (point.y * GRID).round() / GRID + 0.0)
+    Point::new(rounded(point.x * GRID) / GRID + 0.0, rounded(point.y * GRID) / GRID + 0.0)
+}
+
+/// As [`f64::round`], without the call of a function that it is on processors of no special kind.
+fn rounded(number: f64) -> f64 {
+    let whole = number as i64 as f64;
+    let rest = number - whole;
+    match rest.abs() < 1.0 {
+        true => whole + f64::from(i8::from(rest >= 0.5) - i8::from(rest <= -0.5)),
+        // No number, or none that has a fraction.
+        false => number.round(),
+    }
 }
 
 /// The box around a ring.
@@ -48,17 +63,18 @@ pub(super) fn along(point: Point, axis: Axis) -> f64 {
 pub(super) fn split(ring: &[Point], axis: Axis, at: f64) -> (Vec<Ring>, Vec<Ring>) {
     // A corner on the line counts as above, so that each edge crosses the line or does not.
     let height = |point: Point| along(point, axis) - at;
-    let is_above: Vec<bool> = ring.iter().map(|&corner| height(corner) > -ON_LINE).collect();
-    if is_above.iter().all(|&above| above) {
+    let is_above = |corner: Point| height(corner) > -ON_LINE;
+    let above_count = ring.iter().filter(|corner| is_above(**corner)).count();
+    if above_count == ring.len() {
         return (Vec::new(), vec![ring.to_vec()]);
     }
-    if !is_above.contains(&true) {
+    if above_count == 0 {
         return (vec![ring.to_vec()], Vec::new());
     }
-    let (nodes, crossings) = with_crossings(ring, &is_above, axis, at);
+    let (nodes, crossings) = with_crossings(ring, is_above, axis, at);
     // One cut between places that are no corners leaves two rings as simple as the whole.
     let near = |corner: &&Point| height(**corner).abs() <= 3.0 * ON_LINE;
-    let is_plain = crossings.len() == 2 && ring.iter().filter(near).count() == 0;
+    let is_plain = crossings.len() == 2 && !ring.iter().any(|corner| near(&corner));
     let partners = partners(&nodes, crossings, axis);
     let side = |above: bool| {
         let mut pieces = chains(&nodes, &partners, above);
@@ -66,7 +82,9 @@ pub(super) fn split(ring: &[Point], axis: Axis, at: f64) -> (Vec<Ring>, Vec<Ring
             pieces = pieces.into_iter().flat_map(unfolded).collect();
         }
         pieces.retain(|piece| piece.len() > 2 && area(piece) > CRUMB);
-        pieces.sort_by(|a, b| area(b).total_cmp(&area(a)));
+        if pieces.len() > 1 {
+            pieces.sort_by(|a, b| area(b).total_cmp(&area(a)));
+        }
         pieces
     };
     (side(false), side(true))
@@ -82,11 +100,16 @@ struct Node {
     goes_up: bool,
 }
 
-fn with_crossings(ring: &[Point], is_above: &[bool], axis: Axis, at: f64) -> (Vec<Node>, Vec<usize>) {
+fn with_crossings(
+    ring: &[Point],
+    is_above: impl Fn(Point) -> bool,
+    axis: Axis,
+    at: f64,
+) -> (Vec<Node>, Vec<usize>) {
     let mut nodes = Vec::with_capacity(ring.len() + 4);
     let mut crossings = Vec::new();
-    for (index, edge) in edges(ring).enumerate() {
-        let (from, to) = (is_above[index], is_above[(index + 1) % ring.len()]);
+    for edge in edges(ring) {
+        let (from, to) = (is_above(edge.start), is_above(edge.end));
         nodes.push(Node { point: edge.start, is_above: Some(from), goes_up: false });
         if from == to {
             continue;
@@ -201,32 +224,33 @@ pub(super) fn without_straight_corners(ring: &[Point]) -> Ring {
 /// One ring of two that share edges; `None` where they do not, or where a hole would be left between them.
 pub(super) fn join(first: &[Point], second: &[Point]) -> Option<Ring> {
     let (first, second) = (with_corners_of(first, second), with_corners_of(second, first));
-    let all: Vec<Segment> = edges(&first).chain(edges(&second)).collect();
+    let all: Vec<Side> = edges(&first).chain(edges(&second)).map(Side::of).collect();
     let count = all.len();
     let border = without_doubled(all);
     if border.len() == count {
         return None;
     }
-    let [ring] = rings_of(border)?.try_into().ok()?;
+    let [ring] = rings_of(&border)?.try_into().ok()?;
     (area(&ring) > 0.0).then(|| without_straight_corners(&tidy(ring)))
 }
 
 /// A ring that runs back along itself or touches itself, as the rings that it consists of.
 fn unfolded(ring: Ring) -> Vec<Ring> {
-    let detailed = with_corners_of(&ring, &ring);
-    let all: Vec<Segment> = edges(&detailed).collect();
-    let count = all.len();
-    let border = without_doubled(all);
-    let touches_itself = detailed.len() > ring.len() || {
-        let mut keys: Vec<Key> = ring.iter().map(|&corner| key(corner)).collect();
-        keys.sort_unstable();
-        keys.windows(2).any(|pair| pair[0] == pair[1])
-    };
-    if border.len() == count && !touches_itself {
+    if !touches_itself(&ring) {
         return vec![ring];
     }
-    let rings = rings_of(border).unwrap_or_else(|| vec![ring]);
+    let detailed = with_corners_of(&ring, &ring);
+    let border = without_doubled(edges(&detailed).map(Side::of).collect());
+    let rings = rings_of(&border).unwrap_or_else(|| vec![ring]);
     rings.into_iter().map(|ring| without_straight_corners(&tidy(ring))).collect()
+}
+
+/// Whether a ring meets itself in a corner or with a corner on an edge; where it does not, no edge runs there and back.
+fn touches_itself(ring: &[Point]) -> bool {
+    let mut keys: Vec<Key> = ring.iter().map(|&corner| key(corner)).collect();
+    keys.sort_unstable();
+    keys.windows(2).any(|pair| pair[0] == pair[1])
+        || edges(ring).any(|edge| ring.iter().any(|&corner| place_on(edge, corner).is_some()))
 }
 
 /// A corner in steps of the grid.
@@ -234,22 +258,35 @@ pub(super) type Key = (i64, i64);
 
 /// See [`Key`].
 pub(super) fn key(point: Point) -> Key {
-    ((point.x * GRID).round() as i64, (point.y * GRID).round() as i64)
+    (rounded(point.x * GRID) as i64, rounded(point.y * GRID) as i64)
+}
+
+/// An edge with the keys of its ends.
+struct Side {
+    edge: Segment,
+    from: Key,
+    to: Key,
+}
+
+impl Side {
+    fn of(edge: Segment) -> Self {
+        Self { edge, from: key(edge.start), to: key(edge.end) }
+    }
 }
 
 /// Edges without those that run there and back.
-fn without_doubled(all: Vec<Segment>) -> Vec<Segment> {
-    let mut directed: Vec<(Key, Key)> = all.iter().map(|edge| (key(edge.start), key(edge.end))).collect();
+fn without_doubled(mut all: Vec<Side>) -> Vec<Side> {
+    let mut directed: Vec<(Key, Key)> = all.iter().map(|side| (side.from, side.to)).collect();
     directed.sort_unstable();
-    let is_single = |edge: &Segment| directed.binary_search(&(key(edge.end), key(edge.start))).is_err();
-    all.into_iter().filter(is_single).collect()
+    all.retain(|side| directed.binary_search(&(side.to, side.from)).is_err());
+    all
 }
 
 /// Edges linked into rings; `None` where they do not close. A ring that meets itself in a corner becomes two.
-fn rings_of(border: Vec<Segment>) -> Option<Vec<Ring>> {
+fn rings_of(border: &[Side]) -> Option<Vec<Ring>> {
     // By the corner that an edge begins at; the last of several is taken first.
     let mut next: Vec<(Key, Option<Point>)> =
-        border.iter().map(|edge| (key(edge.start), Some(edge.end))).collect();
+        border.iter().map(|side| (side.from, Some(side.edge.end))).collect();
     next.sort_by_key(|(from, _)| *from);
     let mut take = |from: Key, is_taken: bool| {
         let first = next.partition_point(|(corner, _)| *corner < from);
@@ -258,48 +295,50 @@ fn rings_of(border: Vec<Segment>) -> Option<Vec<Ring>> {
         if is_taken { end.take() } else { *end }
     };
     let mut rings = Vec::new();
-    let mut path: Ring = Vec::new();
+    let mut path: Ring = Vec::with_capacity(border.len());
     // By corner of the path: its key, which would else be made anew for each comparison.
-    let mut keys: Vec<Key> = Vec::new();
-    for start in border.iter().map(|edge| edge.start) {
-        if take(key(start), false).is_none() {
+    let mut keys: Vec<Key> = Vec::with_capacity(border.len());
+    for side in border {
+        if take(side.from, false).is_none() {
             continue;
         }
-        let mut at = start;
+        let mut at = side.edge.start;
         loop {
             let here = key(at);
             if let Some(place) = keys.iter().position(|&key| key == here) {
                 rings.push(path.split_off(place));
                 keys.truncate(place);
-                if path.is_empty() && take(key(at), false).is_none() {
+                if path.is_empty() && take(here, false).is_none() {
                     break;
                 }
             }
             path.push(at);
             keys.push(here);
-            at = take(key(at), true)?;
+            at = take(here, true)?;
         }
     }
     Some(rings)
 }
 
+/// Metres along an edge at which a corner lies on it, between its ends.
+fn place_on(edge: Segment, corner: Point) -> Option<f64> {
+    // Most corners are elsewhere, which is told without a square root.
+    if edge.side(corner).abs() >= 2.0 * ON_LINE || corner == edge.start || corner == edge.end {
+        return None;
+    }
+    let place = (corner - edge.start).dot(edge.direction());
+    (place > 0.0 && place < edge.length()).then_some(place)
+}
+
 /// A ring with the corners of another that lie on its edges.
 fn with_corners_of(ring: &[Point], other: &[Point]) -> Ring {
     let mut corners = Vec::with_capacity(ring.len() + 4);
+    let mut on_edge: Vec<(f64, Point)> = Vec::new();
     for edge in edges(ring) {
         push_corner(&mut corners, edge.start);
-        let is_near = |corner: &Point| {
-            edge.side(*corner).abs() < 2.0 * ON_LINE && *corner != edge.start && *corner != edge.end
-        };
-        let mut on_edge: Vec<(f64, Point)> = Vec::new();
-        for &corner in other.iter().filter(|corner| is_near(corner)) {
-            let place = (corner - edge.start).dot(edge.direction());
-            if place > 0.0 && place < edge.length() {
-                on_edge.push((place, corner));
-            }
-        }
+        on_edge.extend(other.iter().filter_map(|&corner| Some((place_on(edge, corner)?, corner))));
         on_edge.sort_by(|a, b| a.0.total_cmp(&b.0));
-        on_edge.into_iter().for_each(|(_, corner)| push_corner(&mut corners, corner));
+        on_edge.drain(..).for_each(|(_, corner)| push_corner(&mut corners, corner));
     }
     corners
 }
@@ -307,8 +346,12 @@ fn with_corners_of(ring: &[Point], other: &[Point]) -> Ring {
 /// Metres that two rings run beside each other, as segments with the first ring on their left.
 pub(super) fn shared(first: &[Point], second: &[Point]) -> Vec<Segment> {
     let mut found = Vec::new();
+    let reach = bounds(second).inflated(BESIDE);
     for edge in edges(first) {
-        // Most edges are elsewhere, which is told without a square root.
+        // Most edges are elsewhere, which is told by a box, or else without a square root.
+        if edge.vector().length_squared() > LEAST_SURE && !edge.bounds().touches(reach) {
+            continue;
+        }
         let is_near = |far: &Segment| {
             edge.side(far.start).abs() <= 2.0 * ON_LINE && edge.side(far.end).abs() <= 2.0 * ON_LINE
         };

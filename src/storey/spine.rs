@@ -12,6 +12,8 @@
 //!
 //! Works in a frame whose x axis runs along the strip; [`Ground::turned`] makes the other one.
 
+use std::rc::Rc;
+
 use crate::geometry::{Point, Segment, edges};
 
 use super::facade::{Facade, Span};
@@ -88,19 +90,20 @@ pub(super) enum FixedKind {
     Room(usize),
 }
 
-/// A row of the strip, or what fixed slices leave of it.
+/// A row of the strip, or what fixed slices leave of it: many ways of dividing a ground have the same, each beside another form of
+/// the strip.
 #[derive(Clone, Debug)]
 pub(super) struct Row {
     /// Its outline.
-    pub(super) ring: Ring,
+    pub(super) ring: Rc<Ring>,
     /// From where to where it reaches along the strip.
     pub(super) from: f64,
     /// See `from`.
     pub(super) to: f64,
     /// Square metres up to each of [`SAMPLES`] places, evenly along the row.
-    sums: Vec<f64>,
+    sums: Rc<[f64]>,
     /// Where light comes in: from where to where along the strip, and metres of wall.
-    light: Vec<(f64, f64, f64)>,
+    light: Rc<[(f64, f64, f64)]>,
     /// Where it borders on the strip.
     contact: Vec<(f64, f64)>,
 }
@@ -110,23 +113,18 @@ impl Row {
         let extent = bounds(&ring);
         let (from, to) = (extent.low.x, extent.high.x);
         let step = (to - from) / SAMPLES as f64;
-        let mut sums = vec![0.0];
+        let mut sums = [0.0; SAMPLES + 1];
         let lines: Vec<SlopedLine> = edges(&ring).filter_map(SlopedLine::of).collect();
         for sample in 0..SAMPLES {
             let place = from + step * (sample as f64 + 0.5);
             let depth: f64 = lines.iter().map(|line| line.depth_at(place)).sum();
-            sums.push(sums[sample] + depth * step);
+            sums[sample + 1] = sums[sample] + depth * step;
         }
         let span =
             |piece: Segment| (piece.start.x.min(piece.end.x), piece.start.x.max(piece.end.x), piece.length());
         let light = ground.light(&ring).into_iter().map(span).collect();
         let contact = contact(&ring, strip);
-        Self { ring, from, to, sums, light, contact }
-    }
-
-    /// The row beside another form of its strip.
-    fn beside(&self, strip: &[Point]) -> Self {
-        Self { contact: contact(&self.ring, strip), ..self.clone() }
+        Self { ring: Rc::new(ring), from, to, sums: Rc::new(sums), light, contact }
     }
 
     /// Square metres.
@@ -173,7 +171,7 @@ impl Row {
 
     /// Cuts the row at places along the strip, in rising order: one piece for each interval, and what was left over.
     pub(super) fn cut(&self, places: &[f64]) -> (Vec<Ring>, Vec<Ring>) {
-        cut_along(std::slice::from_ref(&self.ring), places)
+        cut_along(std::slice::from_ref(&*self.ring), places)
     }
 }
 
@@ -245,7 +243,7 @@ impl SlopedLine {
 }
 
 /// A room inside a strip, at one side of it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct StripRoom {
     /// From where to where along the strip.
     pub(super) from: f64,
@@ -258,23 +256,35 @@ pub(super) struct StripRoom {
 }
 
 /// A ground that is cut along a strip between two heights, before anything is taken out of its rows: many ways of dividing it begin
-/// with the same cuts.
+/// with the same cuts, which are made once.
 #[derive(Clone, Debug)]
 pub(super) struct Band {
     strip: Ring,
     /// Below the strip and above it.
     sides: [Side; 2],
     left_over: Vec<Ring>,
+    /// Rooms that were cut out of the strip so far.
+    insides: Vec<(StripRoom, Option<Inside>)>,
 }
+
+/// What is left of a strip, and the room that was cut out of it.
+type Inside = (Ring, Ring);
 
 /// What is at one side of a strip.
 #[derive(Clone, Debug)]
 struct Side {
     rings: Vec<Ring>,
-    /// The rows that they are, where no slice is taken out.
+    /// Without slices, and with those that were taken out of it so far.
+    cuts: Vec<(Vec<Fixed>, Option<SideCut>)>,
+}
+
+/// A side of a strip without slices that are taken out of it.
+#[derive(Clone, Debug)]
+struct SideCut {
+    taken: Vec<(Fixed, Ring)>,
     rows: Vec<Row>,
-    /// Those that are too small for a row.
-    small: Vec<Ring>,
+    /// What is too small for a row.
+    left_over: Vec<Ring>,
 }
 
 impl Band {
@@ -293,12 +303,34 @@ impl Band {
         if left_over.iter().map(|ring| area(ring)).sum::<f64>() > LEAST_ROW {
             return None;
         }
-        let sides = [below, above].map(|rings| {
-            let (kept, small): (Vec<Ring>, Vec<Ring>) = rings.iter().cloned().partition(|ring| is_row(ring));
-            let rows = kept.into_iter().map(|ring| Row::of(ring, ground, &strip)).collect();
-            Side { rings, rows, small }
+        let sides = [below, above].map(|rings| Side { rings, cuts: Vec::new() });
+        Some(Self { strip, sides, left_over, insides: Vec::new() })
+    }
+
+    /// The strip without a room in it, and the room; `None` where it has no place there.
+    fn inside(&mut self, room: StripRoom) -> Option<&Inside> {
+        let known = self.insides.iter().position(|(known, _)| *known == room).unwrap_or_else(|| {
+            self.insides.push((room, cut_out(&self.strip, room)));
+            self.insides.len() - 1
         });
-        Some(Self { strip, sides, left_over })
+        self.insides[known].1.as_ref()
+    }
+}
+
+impl Side {
+    /// Without some slices; `None` where one has no place.
+    fn without(&mut self, slices: Vec<Fixed>, ground: &Ground, strip: &[Point]) -> Option<&SideCut> {
+        let known = self.cuts.iter().position(|(known, _)| *known == slices).unwrap_or_else(|| {
+            let mut left_over = Vec::new();
+            let cut =
+                take_fixed(self.rings.clone(), &slices, &mut left_over).map(|FixedCut { taken, kept }| {
+                    let rows = kept.into_iter().map(|ring| Row::of(ring, ground, strip)).collect();
+                    SideCut { taken, rows, left_over }
+                });
+            self.cuts.push((slices, cut));
+            self.cuts.len() - 1
+        });
+        self.cuts[known].1.as_ref()
     }
 }
 
@@ -319,13 +351,13 @@ impl Spine {
     /// Cuts a ground along a strip between two heights. `None` where the strip is no single piece, or a fixed slice has no
     /// place.
     pub(super) fn new(ground: &Ground, low: f64, high: f64, fixed: &[Fixed]) -> Option<Self> {
-        Self::of_band(ground, &Band::cut(ground, (low, high))?, fixed, None)
+        Self::of_band(ground, &mut Band::cut(ground, (low, high))?, fixed, None)
     }
 
     /// As [`Self::new`], of a ground that is cut; a room, number 0, is cut out of the strip.
     pub(super) fn of_band(
         ground: &Ground,
-        band: &Band,
+        band: &mut Band,
         fixed: &[Fixed],
         inside: Option<StripRoom>,
     ) -> Option<Self> {
@@ -333,37 +365,26 @@ impl Spine {
         let mut left_over = band.left_over.clone();
         let mut rooms = Vec::new();
         if let Some(room) = inside {
-            let (rest, ring) = cut_out(&strip, room)?;
-            strip = rest;
-            rooms.push((0, ring));
+            let (rest, ring) = band.inside(room)?;
+            strip.clone_from(rest);
+            rooms.push((0, ring.clone()));
         }
-        // What slices leave of a side; the rows of the band where there are none.
-        let mut kept: [Option<Vec<Ring>>; 2] = [None, None];
-        for (index, side) in band.sides.iter().enumerate() {
-            let own: Vec<Fixed> =
-                fixed.iter().filter(|slice| slice.is_above == (index == 1)).copied().collect();
-            if own.is_empty() {
-                left_over.extend(side.small.iter().cloned());
-                continue;
-            }
-            let cut = take_fixed(side.rings.clone(), &own, &mut left_over)?;
-            for (slice, ring) in cut.taken {
+        let mut rows = Vec::new();
+        for (index, side) in band.sides.iter_mut().enumerate() {
+            let own = fixed.iter().filter(|slice| slice.is_above == (index == 1)).copied().collect();
+            let cut = side.without(own, ground, &band.strip)?;
+            left_over.extend(cut.left_over.iter().cloned());
+            rows.extend(cut.rows.iter().cloned());
+            for (slice, ring) in &cut.taken {
                 match slice.kind {
-                    FixedKind::Port => strip = join(&strip, &ring)?,
-                    FixedKind::Room(number) => rooms.push((number, ring)),
+                    FixedKind::Port => strip = join(&strip, ring)?,
+                    FixedKind::Room(number) => rooms.push((number, ring.clone())),
                 }
             }
-            kept[index] = Some(cut.kept);
         }
-        let is_whole = strip == band.strip;
-        let rows_of = |(side, kept): (&Side, Option<Vec<Ring>>)| -> Vec<Row> {
-            match kept {
-                Some(rings) => rings.into_iter().map(|ring| Row::of(ring, ground, &strip)).collect(),
-                None if is_whole => side.rows.clone(),
-                None => side.rows.iter().map(|row| row.beside(&strip)).collect(),
-            }
-        };
-        let rows = band.sides.iter().zip(kept).flat_map(rows_of).collect();
+        if strip != band.strip {
+            rows.iter_mut().for_each(|row| row.contact = contact(&row.ring, &strip));
+        }
         Some(Self { strip, rows, fixed: rooms, left_over })
     }
 }

@@ -24,6 +24,8 @@ pub(super) const SLIVER_WIDTH: f64 = 0.3;
 const SLIVER_AREA: f64 = 0.045;
 /// Square metres by the estimate from pairs of edges, below and above which no closer look is needed.
 const SLIVER_DOUBT: (f64, f64) = (0.015, 0.09);
+/// Square metres by which what is known of such a part without a closer look is smaller, to be sure.
+const SLIVER_MARGIN: f64 = 0.005;
 /// Metres of the width of what is left along walls where a round tool goes around a room.
 const NOISE: f64 = 0.001;
 /// Radians of the pieces of the arcs of that tool.
@@ -181,7 +183,43 @@ pub(super) fn has_slivers(faces: &[Segment]) -> bool {
     let ring: Ring = faces.iter().map(|face| face.start).collect();
     let is_surely = || total_area(&thin_parts(&ring, SLIVER_WIDTH)) > SLIVER_DOUBT.1;
     let estimated = total_area(&thin_parts_between(&ring, SLIVER_WIDTH, NEARLY_OPPOSITE));
-    estimated > SLIVER_DOUBT.0 && (is_surely() || largest_sliver(&ring) > SLIVER_AREA)
+    let is_possible = || !is_narrow_in_small_corners_only(&ring) && largest_sliver(&ring) > SLIVER_AREA;
+    estimated > SLIVER_DOUBT.0 && (is_surely() || is_possible())
+}
+
+/// Whether a disc as wide as the narrowest part of use reaches all of a room but its corners, none of which is large.
+///
+/// Where no two edges that are no neighbours come as near as the disc is wide, it touches two edges at a corner alone: then it may
+/// roll into each corner as far as that is wide enough, and beyond it leaves what [`beyond_disc`] says.
+fn is_narrow_in_small_corners_only(ring: &[Point]) -> bool {
+    let all: Vec<Segment> = edges(ring).collect();
+    let count = all.len();
+    // Of a triangle all edges are neighbours.
+    if count < 4 {
+        return false;
+    }
+    let is_small = |index: usize| {
+        let (edge, next) = (all[index].direction(), all[(index + 1) % count].direction());
+        let angle = libm::acos((-edge.dot(next)).clamp(-1.0, 1.0));
+        edge.perp_dot(next) <= 0.0 || beyond_disc(0.5 * SLIVER_WIDTH, angle) < SLIVER_AREA - SLIVER_MARGIN
+    };
+    let are_apart = |first: usize, second: usize| {
+        let is_neighbour = second == first + 1 || (first == 0 && second + 1 == count);
+        is_neighbour || distance(all[first], all[second]) > SLIVER_WIDTH + 2.0 * NOISE
+    };
+    (0..count).all(is_small)
+        && (0..count).all(|first| (first + 1..count).all(|second| are_apart(first, second)))
+}
+
+/// Metres between two edges that do not cross.
+fn distance(first: Segment, second: Segment) -> f64 {
+    let ends = [
+        first.distance_squared(second.start),
+        first.distance_squared(second.end),
+        second.distance_squared(first.start),
+        second.distance_squared(first.end),
+    ];
+    ends.into_iter().fold(f64::INFINITY, f64::min).sqrt()
 }
 
 /// Square metres of the largest part that no disc as wide as the narrowest part of use reaches: what an opening by that disc takes
@@ -192,8 +230,12 @@ fn largest_sliver(ring: &[Point]) -> f64 {
         shape.buffer_with_style(BufferStyle::new(by).line_join(LineJoin::Round(ARC)))
     };
     let opened = moved(&moved(&room, -0.5 * SLIVER_WIDTH), 0.5 * SLIVER_WIDTH);
-    let rest = moved(&moved(&room.difference(&opened), -NOISE), NOISE);
-    rest.0.iter().map(geo::Area::unsigned_area).fold(0.0, f64::max)
+    let largest =
+        |parts: &geo::MultiPolygon<f64>| parts.0.iter().map(geo::Area::unsigned_area).fold(0.0, f64::max);
+    let rest = room.difference(&opened);
+    // Without the noise it is no larger.
+    let most = largest(&rest);
+    if most < SLIVER_AREA - SLIVER_MARGIN { most } else { largest(&moved(&moved(&rest, -NOISE), NOISE)) }
 }
 
 /// Square metres of all thin parts.
@@ -444,5 +486,17 @@ mod tests {
     fn plain_rooms_have_no_thin_parts() {
         assert!(!has_thin_parts(&ring([(0., 0.), (3., 0.), (3., 2.), (0., 2.)])));
         assert!(!has_thin_parts(&ring([(0., 0.), (6., 0.), (6., 2.), (2., 2.), (2., 8.), (0., 8.)])));
+    }
+
+    #[test]
+    fn a_room_that_is_narrow_in_small_corners_only_has_no_sliver() {
+        // Corners of 50 and of 30 degrees, and a bay that is 0.25 m wide beside one of 50.
+        let leaning = |tip: f64| ring([(0., 0.), (tip, 0.), (4., 3.), (0., 3.)]);
+        let bay = ring([(0., 0.), (6.5, 0.), (4., 3.), (3., 3.), (3., 4.), (2.75, 4.), (2.75, 3.), (0., 3.)]);
+        let (small, sharp) = (leaning(6.5), leaning(9.2));
+        assert!(is_narrow_in_small_corners_only(&small) && largest_sliver(&small) < SLIVER_AREA);
+        assert!(!is_narrow_in_small_corners_only(&sharp) && largest_sliver(&sharp) > SLIVER_AREA);
+        assert!(!is_narrow_in_small_corners_only(&bay) && largest_sliver(&bay) > SLIVER_AREA);
+        assert!(!is_narrow_in_small_corners_only(&small[..3]), "of a triangle nothing is known");
     }
 }

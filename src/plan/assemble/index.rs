@@ -39,6 +39,35 @@ impl<T: Copy + Ord> BoxIndex<T> {
     }
 }
 
+/// Things by bounding box, of which those that are found come in no order that counts: few of them are looked through one by one,
+/// which is faster than a tree.
+#[derive(Debug)]
+pub(in crate::plan) struct LooseIndex<T> {
+    few: Vec<(Bounds, T)>,
+    many: Option<BoxIndex<T>>,
+}
+
+/// Things that are looked through one by one, at most: those of a storey with thirty rooms.
+const FEW: usize = 192;
+
+impl<T: Copy + Ord> LooseIndex<T> {
+    /// As [`BoxIndex::of`].
+    pub(in crate::plan) fn of(boxes: impl Iterator<Item = (Bounds, T)>) -> Self {
+        let mut few: Vec<(Bounds, T)> = boxes.collect();
+        if few.len() > FEW {
+            return Self { many: Some(BoxIndex::of(few.into_iter())), few: Vec::new() };
+        }
+        few.retain(|(bounds, _)| bounds.low.is_finite() && bounds.high.is_finite());
+        Self { few, many: None }
+    }
+
+    /// The items whose box meets a box.
+    pub(in crate::plan) fn meeting(&self, bounds: Bounds) -> impl Iterator<Item = T> {
+        let few = self.few.iter().filter(move |(own, _)| own.touches(bounds)).map(|(_, thing)| *thing);
+        few.chain(self.many.iter().flat_map(move |many| many.meeting(bounds)))
+    }
+}
+
 /// A wall of a level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(in crate::plan) struct WallPlace {
@@ -49,7 +78,7 @@ pub(in crate::plan) struct WallPlace {
 }
 
 /// All walls of a level by bounding box.
-pub(in crate::plan) struct WallIndex(BoxIndex<WallPlace>);
+pub(in crate::plan) struct WallIndex(LooseIndex<WallPlace>);
 
 impl WallIndex {
     /// Indexes the walls of all rooms.
@@ -61,7 +90,7 @@ impl WallIndex {
                 .enumerate()
                 .map(move |(wall, piece)| (piece.segment().bounds(), WallPlace { room, wall }))
         });
-        Self(BoxIndex::of(boxes))
+        Self(LooseIndex::of(boxes))
     }
 
     /// As [`WallIndex::near_segment`]; of more than `most` walls those that the tree names first, which are the same for the
@@ -75,7 +104,7 @@ impl WallIndex {
 
     /// The walls whose bounding box comes within `reach` metres of that of a segment, sorted.
     pub(in crate::plan) fn near_segment(&self, segment: Segment, reach: f64) -> Vec<WallPlace> {
-        self.0.near(segment.bounds().inflated(reach))
+        self.some_near(segment, reach, usize::MAX)
     }
 }
 
@@ -106,4 +135,29 @@ impl OutlineIndex {
 
 fn boxed<T>(bounds: Bounds, thing: T) -> Boxed<T> {
     GeomWithData::new(Rectangle::from_corners(bounds.low.to_array(), bounds.high.to_array()), thing)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Point;
+
+    #[test]
+    fn few_things_and_many_are_found_alike() {
+        let bounds = |number: usize| {
+            let low = Point::new((number % 20) as f64, (number / 20) as f64);
+            Bounds::new(low, low + Point::splat(if number.is_multiple_of(7) { f64::NAN } else { 1.0 }))
+        };
+        for count in [0, 30, FEW, FEW + 1, 2 * FEW] {
+            let boxes = || (0..count).map(|number| (bounds(number), number));
+            let (loose, tree) = (LooseIndex::of(boxes()), BoxIndex::of(boxes()));
+            assert_eq!(loose.many.is_some(), count > FEW);
+            for place in 0..60 {
+                let place = bounds(place).low + Point::splat(0.5);
+                let mut found: Vec<usize> = loose.meeting(Bounds::around_point(place, 1.0)).collect();
+                found.sort_unstable();
+                assert_eq!(found, tree.near(Bounds::around_point(place, 1.0)));
+            }
+        }
+    }
 }

@@ -75,19 +75,47 @@ fn overlaps(borders: &[CenterRoom]) -> Vec<Overlap> {
     // From the largest on; of equals the first in the plan is taken to be the larger.
     let mut order: Vec<usize> = (0..borders.len()).collect();
     order.sort_by(|&a, &b| floors[b].area.total_cmp(&floors[a].area).then(a.cmp(&b)));
+    let by_rooms = |pair: &Overlap| (pair.large.min(pair.small), pair.large.max(pair.small));
+    if let Some(mut found) = few_overlaps(&floors, &order) {
+        found.sort_by_key(by_rooms);
+        return found;
+    }
     let mut larger = BoxIndex::of(std::iter::empty());
     let mut found = Vec::new();
     for small in order {
         let bounds = floors[small].bounds;
-        let overlap = |large: usize| {
-            let area = floors[large.min(small)].shared_with(&floors[large.max(small)]);
-            (area > LARGEST_SLIP).then_some(Overlap { large, small, area })
-        };
+        let overlap = |large: usize| Overlap::of(&floors, large, small);
         found.extend(larger.meeting(bounds).take(COMPARED).filter_map(overlap).take(REPORTED));
         larger.add(bounds, small);
     }
-    found.sort_by_key(|pair| (pair.large.min(pair.small), pair.large.max(pair.small)));
+    found.sort_by_key(by_rooms);
     found
+}
+
+/// The overlaps of so few rooms, from the largest on, that each may be compared with all larger ones; `None` of more rooms, or where
+/// not all overlaps are reported.
+fn few_overlaps(floors: &[Floor<'_>], order: &[usize]) -> Option<Vec<Overlap>> {
+    if order.len() > COMPARED {
+        return None;
+    }
+    let mut found = Vec::new();
+    for (place, &small) in order.iter().enumerate() {
+        let before = found.len();
+        let larger =
+            order[..place].iter().filter(|&&large| floors[large].bounds.touches(floors[small].bounds));
+        found.extend(larger.filter_map(|&large| Overlap::of(floors, large, small)));
+        if found.len() - before > REPORTED {
+            return None;
+        }
+    }
+    Some(found)
+}
+
+impl Overlap {
+    fn of(floors: &[Floor<'_>], large: usize, small: usize) -> Option<Self> {
+        let area = floors[large.min(small)].shared_with(&floors[large.max(small)]);
+        (area > LARGEST_SLIP).then_some(Self { large, small, area })
+    }
 }
 
 /// A room to be compared with others.

@@ -94,16 +94,15 @@ fn backing_of(rooms: &[Room], index: &WallIndex, place: WallPlace) -> Backing {
     let origins = ray_origins(wall);
     let most = MOST_BEHIND + MOST_BEHIND_RAY * origins.len();
     let near = index.some_near(wall.segment(), THICKEST_INNER_WALL, most);
+    // What a ray may enter a room through.
+    let near = near.into_iter().filter(|&far| far != place).map(|far| &rooms[far.room].walls[far.wall]);
+    let faces: Vec<Segment> =
+        near.filter(|far| far.normal().dot(outwards) > FACING).map(Wall::segment).collect();
     let gaps: Vec<f64> = origins
         .iter()
         .filter_map(|&origin| {
-            near.iter()
-                .filter(|&&far| far != place)
-                .filter_map(|far| {
-                    let target = &rooms[far.room].walls[far.wall];
-                    gap_to(origin - outwards * RAY_BACKSTEP, outwards, target)
-                })
-                .min_by(f64::total_cmp)
+            let start = origin - outwards * RAY_BACKSTEP;
+            faces.iter().filter_map(|face| ray_hit(start, outwards, *face)).min_by(f64::total_cmp)
         })
         .map(|distance| (distance - RAY_BACKSTEP).max(0.0))
         .filter(|&gap| gap <= THICKEST_INNER_WALL)
@@ -114,11 +113,6 @@ fn backing_of(rooms: &[Room], index: &WallIndex, place: WallPlace) -> Backing {
 fn ray_origins(wall: &Wall) -> Vec<Point> {
     let count = (wall.length() / RAY_INTERVAL).ceil().clamp(3.0, 400.0) as usize;
     (0..count).map(|i| wall.start.lerp(wall.end, (i as f64 + 0.5) / count as f64)).collect()
-}
-
-/// Metres along the ray to a wall that it enters a room through.
-fn gap_to(origin: Point, direction: Point, wall: &Wall) -> Option<f64> {
-    (wall.normal().dot(direction) > FACING).then(|| ray_hit(origin, direction, wall.segment()))?
 }
 
 /// Metres along a ray to a segment.
@@ -148,6 +142,9 @@ fn drawn_thickness(wall: &Wall, solids: &OutlineIndex) -> Option<f64> {
 /// Which walls of a room are railings: those on which railings stand, in stretches of walls that meet. Where a railing only ends at
 /// a wall, the stretch is as wide as the railing, and stays a wall.
 fn railed(walls: &[Wall], railings: &OutlineIndex) -> Vec<bool> {
+    if railings.is_empty() {
+        return vec![false; walls.len()];
+    }
     let shares: Vec<[f64; 2]> = walls.iter().map(|wall| railed_shares(wall, railings)).collect();
     let mut is_railed: Vec<bool> = shares.iter().map(|&[near, _]| near > 0.5).collect();
     let is_next = |one: usize, two: usize| {
@@ -180,6 +177,9 @@ fn railed(walls: &[Wall], railings: &OutlineIndex) -> Vec<bool> {
 
 /// The shares of a wall on which railings stand, and of it along which they run.
 fn railed_shares(wall: &Wall, railings: &OutlineIndex) -> [f64; 2] {
+    if railings.near(wall.segment().bounds().inflated(RAILING_REACH)).is_empty() {
+        return [0.0; 2];
+    }
     let origins = ray_origins(wall);
     let outwards = -wall.normal();
     let mut counts = [0, 0];

@@ -61,10 +61,21 @@ pub(super) fn finish(
     words: &RoomWords,
     told: &mut usize,
 ) -> Finished {
-    let mut draft = match variation.is_mirrored {
+    let draft = match variation.is_mirrored {
         true => mirror_building(&drafted.draft),
         false => drafted.draft.clone(),
     };
+    assembled(draft, drafted, variation, words, told)
+}
+
+/// As [`finish`], of a draft that is mirrored as is wanted; that of `drafted` is not looked at.
+fn assembled(
+    mut draft: BuildingDraft,
+    drafted: &Drafted,
+    variation: &Variation,
+    words: &RoomWords,
+    told: &mut usize,
+) -> Finished {
     for room in draft.levels.iter_mut().flat_map(|level| &mut level.rooms) {
         room.style = room.style.take().or_else(|| variation.style.clone());
     }
@@ -144,12 +155,13 @@ fn settled(building: Building, id: &str, words: &RoomWords) -> Building {
 pub(crate) fn finish_draft(id: &str, draft: &BuildingDraft, words: &RoomWords) -> (Building, Faults) {
     let drafted = Drafted {
         id: id.to_owned(),
-        draft: draft.clone(),
+        draft: BuildingDraft::default(),
         placement: SitePlacement::default(),
         provenance: Provenance::Foreign(PathBuf::from(id)),
         is_settled: false,
     };
-    let Finished { building, faults, .. } = finish(&drafted, &Variation::default(), words, &mut 0);
+    let Finished { building, faults, .. } =
+        assembled(draft.clone(), &drafted, &Variation::default(), words, &mut 0);
     (building, faults)
 }
 
