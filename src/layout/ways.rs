@@ -47,7 +47,8 @@ pub(crate) fn clear_ways(environment: &mut Environment<'_>, key: &RoomKey, is_fi
         arrange(environment, key);
     }
     let closed_ways = all_closed_ways(environment);
-    if !environment.brief.alternative.suggestions.is_empty() {
+    let alternative = environment.brief.alternative;
+    if alternative.takes_substitutes || !alternative.suggestions.is_empty() {
         leave_out(environment, &closed_ways, key);
     }
     count_musts(&closed_ways)
@@ -58,9 +59,9 @@ fn count_musts(ways: &[ClosedWay]) -> usize {
     ways.iter().filter(|closed| !closed.is_past_leaf).count()
 }
 
-/// Leaves out who is asked to go, where pieces stand at suggested places and the ways to all others cannot be cleared by
-/// moving. The suggested places leave all ways open by themselves: a room that cannot do without these pieces does
-/// without a cupboard behind them.
+/// Leaves out who is asked to go, where pieces stand at suggested places or others may stand in for them, and the ways to all others
+/// cannot be cleared by moving. The suggested places leave all ways open by themselves: a room that cannot do without these pieces
+/// does without a cupboard behind them.
 fn leave_out(environment: &mut Environment<'_>, closed_ways: &[ClosedWay], key: &RoomKey) {
     let mut going = who_can_be_missed(environment, closed_ways);
     // Ends, for each round leaves somebody out for good.
@@ -260,6 +261,36 @@ mod tests {
     fn who_is_not_reached_past_a_suggested_place_is_left_out() {
         assert_eq!(shelf_behind_a_desk(0.4, false), (0, vec![RemovalReason::Repair]));
         assert_eq!(shelf_behind_a_desk(0.5, false), (1, Vec::new()));
+    }
+
+    /// How many of ten shelves stand in the long passage to a desk, where those that stay in the way may be left out or not.
+    fn shelves_in_a_passage(takes_substitutes: bool) -> usize {
+        let (desk, shelf) = (1, 4);
+        let mut catalog =
+            catalog(&[(desk, Count::Fixed(1)), (shelf, Count::Fixed(10))], Untidiness::default());
+        catalog.room_types.get_mut("office").unwrap().programme[0].is_required = true;
+        let level = level(&[
+            (0.0, 0.0),
+            (65.0, 0.0),
+            (65.0, 3.0),
+            (62.0, 3.0),
+            (62.0, 0.7),
+            (2.0, 0.7),
+            (2.0, 2.0),
+            (0.0, 2.0),
+        ]);
+        let options = FurnishOptions::new(1, "test");
+        let alternative = Alternative { takes_substitutes, ..Alternative::numbered(1) };
+        let furnished = RoomLayout::new(level.room(0), &catalog, &options).furnish(&alternative).furnished;
+        let is_in_passage = |position: Point| (2.0..62.0).contains(&position.x);
+        let shelves = furnished.placements.iter().filter(|placement| placement.class == shelf);
+        shelves.filter(|placement| is_in_passage(placement.position)).count()
+    }
+
+    #[test]
+    fn who_stays_in_the_way_is_left_out_where_nothing_else_has_helped() {
+        assert_eq!(shelves_in_a_passage(true), 0);
+        assert!(shelves_in_a_passage(false) > 0, "another arrangement may do without");
     }
 
     #[test]

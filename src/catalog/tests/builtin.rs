@@ -1,6 +1,8 @@
 //! The configuration that comes with the program.
 
-use crate::catalog::{DEFAULT_STYLE, builtin_file, builtin_files, load_catalog};
+use crate::catalog::{
+    DEFAULT_STYLE, ParentName, RelationKind, Request, builtin_file, builtin_files, load_catalog,
+};
 use crate::document::Source;
 use crate::recipes::Slot;
 
@@ -39,4 +41,35 @@ fn every_file_names_its_schema() {
         let path = name.strip_prefix(&"../".repeat(depth));
         assert!(files.iter().any(|schema| Some(schema.path) == path), "{}: there is no {name}", file.path);
     }
+}
+
+#[test]
+fn a_screen_on_a_stand_is_placed_across_from_a_seat_and_not_from_a_bed() {
+    let catalog = load_catalog(&[]).unwrap().value;
+    for id in ["tv", "wide_tv_stand"] {
+        let class = &catalog.classes[catalog.class_index(id).unwrap()];
+        let faces = class.relations.iter().find(|relation| relation.kind == RelationKind::Opposite);
+        let ParentName::Classes(targets) = &faces.unwrap().target else { panic!("{id} faces no class") };
+        assert!(!targets.is_empty());
+        let is_seat = |&target: &usize| catalog.classes[target].groups.iter().any(|group| group == "seat");
+        assert!(targets.iter().all(is_seat), "{id}");
+    }
+}
+
+/// Whether a room of a type and area asks for a class, and whether it cannot do without.
+fn asks(room_type: &str, class: &str, area: f64) -> (bool, bool) {
+    let catalog = load_catalog(&[]).unwrap().value;
+    let class = catalog.class_index(class).unwrap();
+    let applies =
+        |line: &&Request| line.classes.contains(&class) && (line.area.0..=line.area.1).contains(&area);
+    let lines: Vec<_> = catalog.room_types[room_type].programme.iter().filter(applies).collect();
+    (!lines.is_empty(), lines.iter().any(|line| line.is_required))
+}
+
+#[test]
+fn rooms_below_their_usual_area_ask_for_less_beside_a_bed() {
+    assert_eq!(asks("shared_room", "small_desk", 8.4), (true, false));
+    assert_eq!(asks("shared_room", "small_desk", 9.5), (true, true));
+    assert_eq!(asks("studio_kitchen", "worktop", 20.5), (false, false));
+    assert_eq!(asks("studio_kitchen", "worktop", 22.5), (true, false));
 }
