@@ -27,13 +27,6 @@ impl<T> FromIterator<T> for Shared<T> {
     }
 }
 
-impl<T> Shared<T> {
-    /// Whether two lists are one.
-    pub(crate) fn is_same(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.0, &other.0)
-    }
-}
-
 impl<T> Deref for Shared<T> {
     type Target = Vec<T>;
 

@@ -1,10 +1,8 @@
 //! Writes a checked building as a native plan, for `import`.
 
 mod file;
-mod lines;
 
 use std::collections::BTreeMap;
-use std::ops::Range;
 
 use self::file::{Number, OutColumn, OutLevel, OutOpening, OutPlan, OutRoom, OutWall, OutWalls, point, ring};
 use super::read::native::number_of_id;
@@ -34,56 +32,17 @@ const USUAL_EXTERIOR_THICKNESS: f64 = 0.3;
 /// outer walls get one thickness for the whole building, the one that most metres of wall have.
 #[must_use]
 pub fn write_native(building: &Building, id: &str) -> String {
-    let mut plan = OutPlan {
+    let plan = OutPlan {
         version: super::read::native::VERSION,
         id: id.to_owned(),
         name: building.name.clone(),
         attribution: building.attribution.clone(),
         walls: FlowMap(OutWalls { exterior: Number(exterior_thickness(building)) }),
-        levels: Vec::new(),
+        levels: building.levels.iter().map(level).collect(),
     };
-    if let Some(levels) = lines_of_levels(&building.levels)
-        && let Some(head) = to_yaml(&plan).strip_suffix(NO_LEVELS)
-    {
-        return [head, LEVELS, &levels].concat();
-    }
-    plan.levels = building.levels.iter().map(level).collect();
-    to_yaml(&plan)
-}
-
-/// How a plan without levels ends.
-const NO_LEVELS: &str = "levels: []\n";
-/// What its levels begin with where it has some.
-const LEVELS: &str = "levels:\n";
-
-fn to_yaml(plan: &OutPlan) -> String {
     let options = serde_saphyr::ser_options! { prefer_block_scalars: false, compact_list_indent: true };
     // Texts and numbers alone cannot fail to be written.
-    serde_saphyr::to_string_with_options(plan, options).expect("a plan is texts and numbers")
-}
-
-/// The lines of all levels, of which those that share their rooms are written once; `None` where the serializer has to look at them,
-/// or there are none.
-fn lines_of_levels(levels: &[Level]) -> Option<String> {
-    let mut text = String::new();
-    let mut last: Option<(&Level, Range<usize>)> = None;
-    for entry in levels {
-        let is_alike =
-            |last: &Level| last.rooms.is_same(&entry.rooms) && last.openings.is_same(&entry.openings);
-        lines::push_title(&mut text, &title(entry))?;
-        match &last {
-            Some((last, content)) if is_alike(last) => {
-                let content = text[content.clone()].to_owned();
-                text.push_str(&content);
-            }
-            _ => {
-                let from = text.len();
-                lines::push_content(&mut text, &level(entry))?;
-                last = Some((entry, from..text.len()));
-            }
-        }
-    }
-    (!levels.is_empty()).then_some(text)
+    serde_saphyr::to_string_with_options(&plan, options).expect("a plan is texts and numbers")
 }
 
 fn level(level: &Level) -> OutLevel {
@@ -96,23 +55,13 @@ fn level(level: &Level) -> OutLevel {
         }));
     }
     OutLevel {
-        rooms: level.rooms.iter().map(room).collect(),
-        openings: level.openings.iter().map(|entry| FlowMap(opening(level, entry))).collect(),
-        columns,
-        ..title(level)
-    }
-}
-
-/// A level without what is on it.
-fn title(level: &Level) -> OutLevel {
-    OutLevel {
         id: level.id.clone(),
         name: Some(level.name.clone()).filter(|name| *name != level.id),
         elevation: Number(level.elevation),
         height: Number(level.height),
-        rooms: Vec::new(),
-        openings: Vec::new(),
-        columns: Vec::new(),
+        rooms: level.rooms.iter().map(room).collect(),
+        openings: level.openings.iter().map(|entry| FlowMap(opening(level, entry))).collect(),
+        columns,
     }
 }
 
@@ -222,8 +171,6 @@ fn exterior_thickness(building: &Building) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plan::assemble_level;
-    use crate::plan::sample::{self, at, neighbours, opening};
 
     #[test]
     fn an_empty_building_is_written() {
@@ -235,45 +182,5 @@ mod tests {
     fn the_angle_of_a_leaf_is_measured() {
         let leaf = Leaf { hinge: Point::ZERO, closed_tip: Point::X, open_tip: Point::NEG_Y };
         assert!((swing_degrees(&leaf) - 90.0).abs() < 1e-12);
-    }
-
-    /// Both ways to write two levels that are alike.
-    fn both_ways(level: &OutLevel) -> (Option<String>, String) {
-        let mut text = String::new();
-        let of_level = |text: &mut String| {
-            lines::push_title(text, level)?;
-            lines::push_content(text, level)
-        };
-        let is_written = of_level(&mut text).and_then(|()| of_level(&mut text)).is_some();
-        let options = serde_saphyr::ser_options! { prefer_block_scalars: false, compact_list_indent: true };
-        let plain = serde_saphyr::to_string_with_options(&[level, level], options).expect("two levels");
-        (is_written.then_some(text), plain)
-    }
-
-    #[test]
-    fn levels_are_written_in_the_lines_of_the_serializer() {
-        let door = opening("door", OpeningKind::Door, at(4.1, 1.5, (0.0, 1.0)), 0.9);
-        let window = opening("window", OpeningKind::Window, at(2.0, 0.0, (1.0, 0.0)), 1.234);
-        let rooms = [neighbours(), vec![sample::rectangle("far", (9.0, 0.0), (4.0, 3.0))]].concat();
-        let (built, _) = assemble_level(sample::level(rooms, vec![door, window]));
-        let plain = level(&built);
-        assert_eq!(plain.openings.len(), 2);
-        // Walls with railings of any rooms change the form of what follows.
-        for railed in 0..8 {
-            let mut level = level(&built);
-            for (place, room) in
-                level.rooms.iter_mut().enumerate().filter(|(place, _)| railed & (1 << place) != 0)
-            {
-                room.walls = [0, place + 2]
-                    .map(|edge| OutWall { edge, tags: Vec::new(), railing: true })
-                    .map(FlowMap)
-                    .into();
-            }
-            let (lines, text) = both_ways(&level);
-            assert_eq!(lines, Some(text), "{railed}");
-            level.openings.clear();
-            let (lines, text) = both_ways(&level);
-            assert_eq!(lines, (railed < 4).then_some(text), "{railed} without openings");
-        }
     }
 }
