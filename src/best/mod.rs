@@ -39,7 +39,7 @@ const SOLVER_STEPS_A_STEP: u64 = 40;
 const SUGGESTED_ALTERNATIVES: u32 = 3;
 
 /// How often a room that fails after all other help is furnished at most with all of it at once. Of 330,000 rooms of whole maps some
-/// forty come to this.
+/// twenty come to this.
 const ALTERNATIVES_WITH_ALL_HELP: u32 = 4;
 
 /// Missing pieces that are as bad as a bed at the swing of a door, or as a tub, a tray or a bed for one that has both sides open.
