@@ -17,6 +17,8 @@ const ENCLOSED_SHARE: f64 = 0.9;
 /// Larger rooms whose boxes meet that of a room and which are compared with it: more of them are rooms drawn over each
 /// other many times, for which all pairs would take hours.
 const COMPARED: usize = 256;
+/// Rooms of a level of which each is compared with all larger ones, without a tree: it is slower for so few.
+const FEW_ROOMS: usize = 128;
 /// Larger rooms on which a room is said to lie.
 const REPORTED: usize = 8;
 
@@ -95,7 +97,7 @@ fn overlaps(borders: &[CenterRoom]) -> Vec<Overlap> {
 /// The overlaps of so few rooms, from the largest on, that each may be compared with all larger ones; `None` of more rooms, or where
 /// not all overlaps are reported.
 fn few_overlaps(floors: &[Floor<'_>], order: &[usize]) -> Option<Vec<Overlap>> {
-    if order.len() > COMPARED {
+    if order.len() > FEW_ROOMS {
         return None;
     }
     let mut found = Vec::new();
