@@ -147,8 +147,11 @@ fn ways_in(grounds: &[Ground], partition: &Partition<'_>) -> Vec<Entry> {
         return vec![gate];
     }
     let is_single = cells.len() == grounds.len();
+    // Nobody comes into a building through one of its flats.
+    let has_hall = (0..cells.len()).any(|room| partition.is_public(room) && cells[room].room_type != STORE);
+    let leads_on = |room: usize| partition.is_passage(room) && (!has_hall || partition.is_public(room));
     let behind = |port: Port, may_be: &dyn Fn(usize) -> bool| {
-        let room = room_at(cells, port).filter(|&room| partition.is_passage(room) && may_be(room))?;
+        let room = room_at(cells, port).filter(|&room| leads_on(room) && may_be(room))?;
         Some(Entry { room, port })
     };
     let first = |may_be: &dyn Fn(usize) -> bool| {
