@@ -73,3 +73,23 @@ fn rooms_below_their_usual_area_ask_for_less_beside_a_bed() {
     assert_eq!(asks("studio_kitchen", "worktop", 20.5), (false, false));
     assert_eq!(asks("studio_kitchen", "worktop", 22.5), (true, false));
 }
+
+#[test]
+fn the_largest_main_rooms_of_planned_buildings_have_furniture_on_their_floor() {
+    let catalog = load_catalog(&[]).unwrap().value;
+    for kind in catalog.typologies.typologies.values() {
+        let Some(main) = &kind.main else { continue };
+        let (room_type, area) = (&catalog.room_types[main], kind.area.1.min(5000.0));
+        let stands = |&class: &usize| {
+            let on_floor = |parent: &ParentName| matches!(parent, ParentName::Floor | ParentName::Wall);
+            catalog.classes[class]
+                .parents
+                .iter()
+                .any(|rule| on_floor(&rule.parent) && rule.elevation.0 == 0.0)
+        };
+        let applies = |line: &Request| (line.area.0..=line.area.1).contains(&area);
+        let has_some =
+            room_type.programme.iter().any(|line| applies(line) && line.classes.iter().any(stands));
+        assert!(has_some || !room_type.is_furnished, "{main} is empty from some area on");
+    }
+}
