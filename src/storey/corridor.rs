@@ -3,7 +3,7 @@
 use crate::geometry::Point;
 use crate::layout::seed::Stream;
 
-use super::deep::{LIT_SIDE, Piece, outer_strips};
+use super::deep::{LIT_SIDE, Piece, light_beside, outer_strips};
 use super::disc::is_as_wide_as;
 use super::dwelling::{Cell, Port};
 use super::fill::DOOR_STRETCH;
@@ -278,7 +278,7 @@ fn corridor_place(task: &Task<'_>, ground: &Ground, middle: f64) -> f64 {
     let (bottom, top) = extent(&ground.ring, Axis::Y);
     let length = bounds(&ground.ring).size().x;
     let depth = area(&ground.ring) / length;
-    let [below, above] = light_beside(ground, 0.5 * (bottom + top));
+    let [below, above] = light_beside(ground, Axis::X, 0.5 * (bottom + top));
     let is_above_dark = above < below;
     let is_dark = !task.is_plain && below.min(above) < DARK_SIDE * length;
     let deepest =
@@ -296,17 +296,6 @@ fn corridor_place(task: &Task<'_>, ground: &Ground, middle: f64) -> f64 {
         return if is_above_dark { top - dark - width } else { bottom + dark };
     }
     (middle - width / 2.0).max(bottom + LEAST_ROW).min(top - width - LEAST_ROW)
-}
-
-/// Metres of outer wall with light below and above a line along the corridor.
-fn light_beside(ground: &Ground, line: f64) -> [f64; 2] {
-    let mut metres = [0.0; 2];
-    for piece in ground.light(&ground.ring) {
-        if piece.direction().x.abs() > 0.7 {
-            metres[usize::from(piece.middle().y > line)] += piece.length();
-        }
-    }
-    metres
 }
 
 /// Ways in at the sides of rows, and stairs at the ends of the corridor.
@@ -350,7 +339,7 @@ fn fixed_slices(
 /// The side of a corridor where stairs take the least light.
 fn is_darker_above(ground: &Ground, (low, high): (f64, f64)) -> bool {
     let (bottom, top) = extent(&ground.ring, Axis::Y);
-    let [below, above] = light_beside(ground, 0.5 * (low + high));
+    let [below, above] = light_beside(ground, Axis::X, 0.5 * (low + high));
     match (top - high > STAIRS_DEPTH, low - bottom > STAIRS_DEPTH) {
         (true, false) => true,
         (false, true) => false,

@@ -101,12 +101,17 @@ fn in_two(ring: &Ring, axis: Axis, at: f64) -> Option<(Ring, Ring)> {
 /// Whether the long sides have light, the lower one first.
 fn are_lit(whole: &Ground, ring: &Ring, axis: Axis) -> [bool; 2] {
     let extent = bounds(ring);
-    let middle = along(extent.center(), across(axis));
+    let metres = light_beside(&whole.part(ring.clone()), axis, along(extent.center(), across(axis)));
+    metres.map(|metres| metres >= LIT_SIDE * along(extent.size(), axis))
+}
+
+/// Metres of outer wall with light below and above a line along an axis.
+pub(super) fn light_beside(ground: &Ground, axis: Axis, line: f64) -> [f64; 2] {
     let mut metres = [0.0; 2];
-    for piece in whole.part(ring.clone()).light(ring) {
+    for piece in ground.light(&ground.ring) {
         if along(piece.direction(), axis).abs() > 0.7 {
-            metres[usize::from(along(piece.middle(), across(axis)) > middle)] += piece.length();
+            metres[usize::from(along(piece.middle(), across(axis)) > line)] += piece.length();
         }
     }
-    metres.map(|metres| metres >= LIT_SIDE * along(extent.size(), axis))
+    metres
 }

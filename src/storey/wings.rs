@@ -104,7 +104,7 @@ fn join_wings(parent: &mut Wing, child: &mut Wing, border: Segment) {
     let runs_along = if border.vector().x.abs() > border.vector().y.abs() { Axis::X } else { Axis::Y };
     let are_parallel = parent.axis == runs_along && child.axis == runs_along;
     let count = if are_parallel { (border.length() / MEETING_EVERY).ceil().max(1.0) as usize } else { 1 };
-    // An even number of places has none in the middle.
+    // Each in the middle of its share of the border.
     let places = (0..count).map(|place| border.at((place as f64 + 0.5) / count as f64));
     let mut places: Vec<Point> = if count == 1 { vec![at] } else { places.collect() };
     let first = places.swap_remove(count / 2);
