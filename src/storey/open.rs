@@ -27,6 +27,9 @@ const WHOLE_ENDS: [f64; 3] = [2.6, 4.0, 6.0];
 const LEAST_STAIRS: f64 = 2.1;
 /// Square metres of stairs.
 const STAIRS: f64 = 13.0;
+/// How many sides of a square of its largest area a compartment stretches over at most: a narrow one around a court, or a bent one
+/// of a hundred metres, is no room that people see the end of, though it is no larger than others.
+const LONGEST_COMPARTMENT: f64 = 2.0;
 /// Share of the storey that small rooms take at most.
 const MOST_SHARE: f64 = 0.4;
 
@@ -73,8 +76,7 @@ pub(super) fn open_plan(
         }
         // The last attempt does without: where a part in the middle has no way out, a larger one has.
         let most = brief.typology.compartment.filter(|_| attempt < 2).unwrap_or(f64::INFINITY);
-        let compartments = (area(&ground.ring) / most).ceil() as usize;
-        let count = way.parts(area(&ground.ring), has_stairs).max(compartments);
+        let count = way.parts(area(&ground.ring), has_stairs).max(compartments(&ground.ring, most));
         let mut parts = sections(ground, ground.ring.clone(), count);
         if !has_stairs {
             lightest_first(ground, &mut parts);
@@ -94,6 +96,12 @@ pub(super) fn open_plan(
         }
     }
     Some(cells)
+}
+
+/// How many compartments of so many square metres at most a ring is parted into.
+fn compartments(ring: &Ring, most: f64) -> usize {
+    let stretch = bounds(ring).size().max_element();
+    (area(ring) / most).max(stretch / (LONGEST_COMPARTMENT * most.sqrt())).ceil() as usize
 }
 
 /// The small rooms are in the first part: one with much outer wall has ways out near them.

@@ -265,7 +265,12 @@ pub(super) struct Band {
     left_over: Vec<Ring>,
     /// Rooms that were cut out of the strip so far.
     insides: Vec<(StripRoom, Option<Inside>)>,
+    /// The strips that ports were joined to so far: what they were made of, and what they became.
+    joined: Vec<(Parts, Option<Ring>)>,
 }
+
+/// A room that is cut out of a strip, and the ports that are joined to what is left.
+type Parts = (Option<StripRoom>, Vec<Ring>);
 
 /// What is left of a strip, and the room that was cut out of it.
 type Inside = (Ring, Ring);
@@ -304,7 +309,20 @@ impl Band {
             return None;
         }
         let sides = [below, above].map(|rings| Side { rings, cuts: Vec::new() });
-        Some(Self { strip, sides, left_over, insides: Vec::new() })
+        Some(Self { strip, sides, left_over, insides: Vec::new(), joined: Vec::new() })
+    }
+
+    /// The strip with ports joined to it, which many places of stairs leave as they are; `None` where one does not border on it.
+    fn with_ports(&mut self, strip: Ring, parts: Parts) -> Option<Ring> {
+        if parts.1.is_empty() {
+            return Some(strip);
+        }
+        let known = self.joined.iter().position(|(known, _)| *known == parts).unwrap_or_else(|| {
+            let joined = parts.1.iter().try_fold(strip, |strip, port| join(&strip, port));
+            self.joined.push((parts, joined));
+            self.joined.len() - 1
+        });
+        self.joined[known].1.clone()
     }
 
     /// The strip without a room in it, and the room; `None` where it has no place there.
@@ -369,7 +387,7 @@ impl Spine {
             strip.clone_from(rest);
             rooms.push((0, ring.clone()));
         }
-        let mut rows = Vec::new();
+        let (mut rows, mut ports) = (Vec::new(), Vec::new());
         for (index, side) in band.sides.iter_mut().enumerate() {
             let own = fixed.iter().filter(|slice| slice.is_above == (index == 1)).copied().collect();
             let cut = side.without(own, ground, &band.strip)?;
@@ -377,11 +395,12 @@ impl Spine {
             rows.extend(cut.rows.iter().cloned());
             for (slice, ring) in &cut.taken {
                 match slice.kind {
-                    FixedKind::Port => strip = join(&strip, ring)?,
+                    FixedKind::Port => ports.push(ring.clone()),
                     FixedKind::Room(number) => rooms.push((number, ring.clone())),
                 }
             }
         }
+        let strip = band.with_ports(strip, (inside, ports))?;
         if strip != band.strip {
             rows.iter_mut().for_each(|row| row.contact = contact(&row.ring, &strip));
         }

@@ -247,6 +247,20 @@ fn large_open_storeys_are_parted_into_compartments() {
     assert!(parts.len() >= 3, "{:?}", museum.report);
     let largest = parts.iter().map(|room| area(&room.outline)).fold(0.0, f64::max);
     assert!(largest < 1.25 * 1600.0, "{largest}");
+    // No larger than a compartment, but around three sides of a court.
+    let bent = region(&[
+        (0.0, 0.0),
+        (90.0, 0.0),
+        (90.0, 60.0),
+        (84.0, 60.0),
+        (84.0, 6.0),
+        (6.0, 6.0),
+        (6.0, 60.0),
+        (0.0, 60.0),
+    ]);
+    let museum = alone(bent, 1.0, "museum");
+    let parts = rooms_of(&museum, 0, "exhibition");
+    assert!(parts.len() > 1, "{:?}", museum.report);
 }
 
 #[test]

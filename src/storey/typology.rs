@@ -150,7 +150,8 @@ pub struct Typology {
     /// Room type of the rooms that fill it: the one room, the large one, or those along a corridor.
     #[serde(default)]
     pub main: Option<String>,
-    /// Square metres of a part of an open storey at most, such as a fire compartment; larger ones are parted by walls.
+    /// Square metres of a part of an open storey at most, such as a fire compartment; larger ones are parted by walls, and so are those
+    /// that are longer than two sides of a square of that size.
     #[serde(default)]
     pub compartment: Option<f64>,
     /// Room type that takes the place of flats on the ground floor, such as a shop.
