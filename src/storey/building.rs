@@ -11,6 +11,7 @@ use super::balconies::balconies;
 use super::brief::{Brief, Choices, Known, briefs};
 use super::check::first_fault;
 use super::corridor::corridors;
+use super::disc::is_simple;
 use super::draft::level_draft;
 use super::dwelling::Cell;
 use super::entrance_room::with_entrance_room;
@@ -24,6 +25,7 @@ use super::house::{house, outer_ports};
 use super::links::{Link, Links, link};
 use super::open::{WAYS, one_room, open_plan, within_limits};
 use super::plate::Outline;
+use super::ring::without_spikes;
 use super::spine::Ground;
 use super::street_level::street_level;
 use super::thin::{Rules, trade_thin_parts};
@@ -192,7 +194,11 @@ fn storeys(
     levels.splice(0..0, entrance_floor(sketch, &levels[0]));
     for cells in &mut levels {
         // Stairs of a house stand beside other rooms on each level.
-        trade_thin_parts(cells, Rules { typologies, fixed: is_house.then_some("stairs") });
+        let rules = Rules::of_rooms(typologies);
+        trade_thin_parts(cells, if is_house { rules.with_fixed("stairs") } else { rules });
+        for cell in cells.iter_mut().filter(|cell| !is_simple(&cell.ring)) {
+            cell.ring = without_spikes(std::mem::take(&mut cell.ring));
+        }
     }
     let levels: Vec<Vec<Cell>> = levels.into_iter().map(within_limits).collect();
     let mut partition = partition_of(sketch, &levels[0]);
@@ -273,7 +279,7 @@ fn simplest(sketch: Sketch<'_>) -> (Vec<Storey>, u32) {
         levels
     };
     for mut cells in (0..WAYS.len()).filter_map(|attempt| open_plan(grounds, &plain, typologies, attempt)) {
-        trade_thin_parts(&mut cells, Rules { typologies, fixed: None });
+        trade_thin_parts(&mut cells, Rules::of_rooms(typologies));
         let storeys = levels(cells);
         if storeys.iter().all(|storey| storey.fault.is_none()) {
             return (storeys, 2);

@@ -3,6 +3,7 @@
 use crate::geometry::Point;
 use crate::layout::seed::Stream;
 
+use super::brief::Brief;
 use super::deep::{LIT_SIDE, Piece, light_beside, outer_strips};
 use super::disc::is_as_wide_as;
 use super::dwelling::{Cell, Port};
@@ -10,8 +11,10 @@ use super::fill::DOOR_STRETCH;
 use super::flats::flat_at;
 use super::hopeless::Kind;
 use super::house::outer_port;
+use super::open::large_rooms;
 use super::ring::{Axis, Ring, area, bounds, join, longest, shared, split, turned_back};
 use super::spine::{Fixed, FixedKind, Ground, Row, Spine, extent, settle};
+use super::thin::{Rules, trade_thin_parts};
 use super::typology::{Light, PlanKind};
 use super::wings::{Wing, compact, tree};
 
@@ -19,6 +22,8 @@ use super::wings::{Wing, compact, tree};
 const STAIRS_WIDTH: f64 = 2.9;
 /// Metres along the corridor of a lift, and its depth.
 const LIFT: (f64, f64) = (2.1, 2.2);
+/// Metres of the width of stairs at least.
+const LEAST_STAIRS: f64 = 1.5;
 /// Metres of depth of a row that stairs need.
 const STAIRS_DEPTH: f64 = 4.0;
 /// Metres of depth of stairs at most.
@@ -60,6 +65,8 @@ const MOST_SERVICE: f64 = 2.5;
 const STORES: f64 = 0.5;
 /// Metres by which a corridor is moved aside where it has no place, in this order.
 const ASIDE: [f64; 7] = [0.0, 1.2, -1.2, 2.4, -2.4, 3.6, -3.6];
+/// Share of a storey at most in which no corridor has a place.
+const MOST_OPEN: f64 = 0.5;
 /// Metres of the half of a way in.
 const PORT_HALF: f64 = 0.95;
 /// The numbers of the slices of a row that hold stairs, a lift, and a passage to the next corridor.
@@ -103,11 +110,12 @@ pub(super) fn corridors(
         true => outer_strips(whole, ring, brief.typology.hall_width),
         false => vec![Piece { ring, is_outer: false }],
     });
-    let mut wings = tree(pieces.collect(), entrance)?;
+    let hall = brief.typology.hall.as_deref()?;
+    let mut wings = tree(without_spurs(pieces.collect(), hall, kind), entrance)?;
     let mut task = Task {
         ground: whole,
         kind,
-        hall: brief.typology.hall.as_deref()?,
+        hall,
         main: brief.typology.main.as_deref().unwrap_or("studio"),
         module: brief.typology.module?,
         is_plain: attempt > 0,
@@ -128,6 +136,7 @@ pub(super) fn corridors(
     wings[door].ports.push(port);
     let mut cells = Vec::new();
     let mut ways: Vec<WayOut> = Vec::new();
+    let mut open = 0.0;
     for wing in &wings {
         let far = wing.parent.map_or(0.0, |parent| {
             wing.joined.iter().map(|&at| ways[parent].metres_from(at)).fold(0.0, f64::max)
@@ -136,11 +145,33 @@ pub(super) fn corridors(
         let is_far = far + own + BEYOND_CORRIDOR > FARTHEST_STAIRS;
         let is_root = wing.parent.is_none();
         let access = Access { is_root, has_stairs: is_root || is_far || own > ONE_STAIRS };
-        let own = wing_cells(&mut task, wing, access)?;
+        let services = task.services.clone();
+        let own = wing_cells(&mut task, wing, access);
+        if own.is_none() {
+            task.services = services;
+            open += area(&wing.ring);
+        }
+        let own = own.or_else(|| open_wing(&task, wing, access))?;
         ways.push(WayOut::of(&own, wing, far));
         cells.extend(own);
     }
-    Some(cells)
+    let floor: f64 = grounds.iter().map(|ground| area(&ground.ring)).sum();
+    (open <= MOST_OPEN * floor).then_some(cells)
+}
+
+/// The pieces of a storey of which each gives what is too thin for a row beside a corridor to its neighbours.
+fn without_spurs(pieces: Vec<Piece>, hall: &str, kind: Kind<'_>) -> Vec<Piece> {
+    let mut cells: Vec<Cell> = pieces.iter().map(|piece| Cell::shared(piece.ring.clone(), hall)).collect();
+    trade_thin_parts(&mut cells, Rules::of_rooms(kind.typologies).below(LEAST_ROW));
+    pieces.into_iter().zip(cells).map(|(piece, Cell { ring, .. })| Piece { ring, ..piece }).collect()
+}
+
+/// A wing in which no corridor has a place, where the kind of building has a use for such.
+fn open_wing(task: &Task<'_>, wing: &Wing, access: Access) -> Option<Vec<Cell>> {
+    let Brief { typology, storeys, .. } = task.kind.brief;
+    let ground = task.ground.part(wing.ring.clone());
+    let has_stairs = *storeys > 1 && access.has_stairs;
+    Some(large_rooms(&ground, typology.open_wing.as_deref()?, has_stairs, task.kind.typologies))
 }
 
 /// Metres along its corridor to where a wing is joined to its parent, at most, about.
@@ -231,10 +262,15 @@ fn along_corridor(task: &mut Task<'_>, ground: &Ground, ways: &Ways, access: Acc
     let width = task.kind.brief.typology.hall_width;
     let place = corridor_place(task, ground, ways.middle);
     // Where a jog of the outline is in its way, it runs beside that.
-    let Spine { mut strip, rows, fixed: rooms, mut left_over } = ASIDE.into_iter().find_map(|aside| {
+    let spines = ASIDE.into_iter().filter_map(|aside| {
         let strip = (place + aside, place + aside + width);
         Spine::new(ground, strip.0, strip.1, &fixed_slices(task, ground, ways, strip, access))
-    })?;
+    });
+    let has_wide_stairs = |spine: &Spine| {
+        let mut stairs = spine.fixed.iter().filter(|(number, _)| *number == STAIRS_SLICE);
+        stairs.all(|(_, ring)| is_as_wide_as(ring, LEAST_STAIRS))
+    };
+    let Spine { mut strip, rows, fixed: rooms, mut left_over } = spines.into_iter().find(has_wide_stairs)?;
     let mut cells: Vec<Cell> = Vec::new();
     for (number, ring) in rooms {
         match number {

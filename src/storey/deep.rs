@@ -15,8 +15,8 @@
 //!   +-----+-----+-----+-----+
 //! ```
 
-use super::ring::{Axis, Ring, along, area, bounds, split};
-use super::spine::Ground;
+use super::ring::{Axis, Ring, along, area, bounds};
+use super::spine::{Ground, in_two};
 use super::wings::{across, longer_axis};
 
 /// Metres of depth of a row at an outer wall: as deep as daylight serves a room with usual windows, two and a half times their height.
@@ -89,13 +89,6 @@ fn in_slices(ring: Ring, axis: Axis, most: f64) -> Vec<Ring> {
     }
     slices.push(rest);
     slices
-}
-
-/// What lies below and above a coordinate; `None` where either is not one piece.
-fn in_two(ring: &Ring, axis: Axis, at: f64) -> Option<(Ring, Ring)> {
-    let (below, above) = split(ring, axis, (at * 1000.0).round() / 1000.0);
-    let ([below], [above]) = (<[Ring; 1]>::try_from(below).ok()?, <[Ring; 1]>::try_from(above).ok()?);
-    Some((below, above))
 }
 
 /// Whether the long sides have light, the lower one first.

@@ -482,7 +482,8 @@ fn draw(
     planned.extend(named.map(|(ring, (_, room_type))| Cell::shared(back(ring), room_type)));
     planned.extend(stairs.iter().map(|ring| Cell::shared(back(ring), "stairs")));
     // Stairs of a house stand beside other rooms on each level.
-    let rules = Rules { typologies: task.typologies, fixed: task.has_stairs.then_some("stairs") };
+    let rules = Rules::of_rooms(task.typologies);
+    let rules = if task.has_stairs { rules.with_fixed("stairs") } else { rules };
     trade_thin_parts(&mut planned, rules);
     if !are_sound(task.ground, task.typologies, &planned) {
         return None;
@@ -618,6 +619,6 @@ pub(super) fn studio(ground: &Ground, port: Port, typologies: &Typologies) -> Op
     let (_, room, bathroom) = best?;
     let back = |ring: Ring| if is_turned { turned_ring_back(&ring) } else { ring };
     let mut cells = vec![Cell::shared(back(room), "studio"), Cell::shared(back(bathroom), "bathroom")];
-    trade_thin_parts(&mut cells, Rules { typologies, fixed: None });
+    trade_thin_parts(&mut cells, Rules::of_rooms(typologies));
     are_sound(whole, typologies, &cells).then_some(cells)
 }

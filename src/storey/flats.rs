@@ -256,7 +256,7 @@ fn landing(section: &Ground, kind: Kind<'_>, unit: &mut usize, stream: &mut Stre
     for (is_turned, core) in ways {
         let ground = if is_turned { &turned } else { section };
         let Some(mut cells) = flats_at(ground, core, kind, stream) else { continue };
-        trade_thin_parts(&mut cells, Rules { typologies: kind.typologies, fixed: None });
+        trade_thin_parts(&mut cells, Rules::of_rooms(kind.typologies));
         if !is_joined(&cells, kind, stream) {
             continue;
         }

@@ -98,6 +98,24 @@ pub(super) fn open_plan(
     Some(cells)
 }
 
+/// A piece of a storey along corridors in which none has a place, as large rooms of a type, each with stairs where there are to be any.
+pub(super) fn large_rooms(
+    ground: &Ground,
+    room_type: &str,
+    has_stairs: bool,
+    typologies: &Typologies,
+) -> Vec<Cell> {
+    let count = WAYS[0].parts(area(&ground.ring), true);
+    let services: &[(&str, f64)] = if has_stairs { &[("stairs", STAIRS)] } else { &[] };
+    let end = End { services, has_stairs, typologies, is_careful: true };
+    let cells = |ring: Ring| {
+        let cut =
+            if has_stairs { part_cells(&ground.part(ring.clone()), end, room_type) } else { None };
+        cut.unwrap_or_else(|| vec![Cell::shared(ring, room_type)])
+    };
+    sections(ground, ground.ring.clone(), count).into_iter().flat_map(cells).collect()
+}
+
 /// How many compartments of so many square metres at most a ring is parted into.
 fn compartments(ring: &Ring, most: f64) -> usize {
     let stretch = bounds(ring).size().max_element();

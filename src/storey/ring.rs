@@ -209,6 +209,22 @@ pub(super) fn tidy(mut ring: Ring) -> Ring {
     ring
 }
 
+/// The ring without corners at which it goes out and back along a line, or so close beside it that no width is left on the grid.
+pub(super) fn without_spikes(mut ring: Ring) -> Ring {
+    let is_spike = |ring: &Ring, index: usize| {
+        let count = ring.len();
+        let (before, here, after) =
+            (ring[(index + count - 1) % count], ring[index], ring[(index + 1) % count]);
+        let (there, back) = (Segment::new(before, here), Segment::new(here, after));
+        let is_thin = there.distance(after) <= ON_LINE || back.distance(before) <= ON_LINE;
+        is_thin && there.vector().dot(back.vector()) < 0.0
+    };
+    while let Some(index) = (0..ring.len()).find(|&index| ring.len() > 3 && is_spike(&ring, index)) {
+        ring.remove(index);
+    }
+    ring
+}
+
 /// The ring without corners that lie on the line between their neighbours.
 pub(super) fn without_straight_corners(ring: &[Point]) -> Ring {
     let count = ring.len();

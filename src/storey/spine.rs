@@ -485,6 +485,17 @@ pub(super) fn trim(strip: Ring, from: f64, to: f64) -> (Ring, Vec<Ring>) {
     (main, ends)
 }
 
+/// What lies below and above a coordinate, where either is one piece but for crumbs, which the other side takes: edges are not quite
+/// parallel to the axes. `None` where it is not.
+pub(super) fn in_two(ring: &[Point], axis: Axis, at: f64) -> Option<(Ring, Ring)> {
+    let (below, above) = split(ring, axis, (at * 1000.0).round() / 1000.0);
+    let ((first, mut crumbs), (second, others)) = (largest_of(below)?, largest_of(above)?);
+    crumbs.extend(others);
+    let are_small = crumbs.iter().map(|ring| area(ring)).sum::<f64>() < LEAST_ROW;
+    let mut sides = [first, second];
+    (are_small && settle(crumbs, &mut sides, |_| 1.0).is_empty()).then(|| sides.into())
+}
+
 /// Gives pieces that are nobody's to the ring beside which they lie longest, by a weight for each; what finds none comes back.
 pub(super) fn settle(pieces: Vec<Ring>, rings: &mut [Ring], weight: impl Fn(usize) -> f64) -> Vec<Ring> {
     let mut open = pieces;

@@ -170,12 +170,13 @@ pub(super) fn joined_to_largest(mut rests: Vec<Ring>) -> Option<(Ring, Vec<Ring>
 
 /// Whether parts of a ring are too thin.
 pub(super) fn has_thin_parts(ring: &[Point]) -> bool {
-    thin_area(ring) > MOST_AREA
+    thin_area(ring, THIN_ROOM) > MOST_AREA
 }
 
 /// Whether cutting a room and small ones out of a whole leaves thin parts that the whole has not, or a small room with any.
 pub(super) fn leave_thin_parts(whole: &[Point], room: &[Point], small: &[Ring]) -> bool {
-    thin_area(room) > thin_area(whole) + MOST_AREA || small.iter().any(|ring| has_thin_parts(ring))
+    let thin = |ring: &[Point]| thin_area(ring, THIN_ROOM);
+    thin(room) > thin(whole) + MOST_AREA || small.iter().any(|ring| has_thin_parts(ring))
 }
 
 /// Whether a part of a room between its inner faces is too narrow for any use.
@@ -239,8 +240,8 @@ fn largest_sliver(ring: &[Point]) -> f64 {
 }
 
 /// Square metres of all thin parts.
-fn thin_area(ring: &[Point]) -> f64 {
-    total_area(&thin_parts(ring, THIN_ROOM))
+fn thin_area(ring: &[Point], below: f64) -> f64 {
+    total_area(&thin_parts(ring, below))
 }
 
 fn total_area(parts: &[ThinPart]) -> f64 {
@@ -273,12 +274,29 @@ pub(super) fn without_thin_parts(ring: Ring) -> Vec<Ring> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rules<'a> {
     /// What doors may join.
-    pub(super) typologies: &'a Typologies,
+    typologies: &'a Typologies,
     /// A type of room that keeps its outline.
-    pub(super) fixed: Option<&'a str>,
+    fixed: Option<&'a str>,
+    /// Metres below which a part is thin.
+    below: f64,
 }
 
-impl Rules<'_> {
+impl<'a> Rules<'a> {
+    /// For rooms up to the middles of their walls.
+    pub(super) fn of_rooms(typologies: &'a Typologies) -> Self {
+        Self { typologies, fixed: None, below: THIN_ROOM }
+    }
+
+    /// The same where rooms of one type keep their outlines.
+    pub(super) fn with_fixed(self, room_type: &'a str) -> Self {
+        Self { fixed: Some(room_type), ..self }
+    }
+
+    /// The same for parts that are thin below so many metres.
+    pub(super) fn below(self, below: f64) -> Self {
+        Self { below, ..self }
+    }
+
     fn is_fixed(self, cell: &Cell) -> bool {
         self.fixed == Some(cell.room_type.as_str())
     }
@@ -302,7 +320,7 @@ pub(super) fn trade_thin_parts(cells: &mut [Cell], rules: Rules<'_>) {
             continue;
         }
         for _ in 0..MOST_PARTS {
-            let parts = thin_parts(&cells[giver].ring, THIN_ROOM);
+            let parts = thin_parts(&cells[giver].ring, rules.below);
             let before = total_area(&parts);
             if !parts.into_iter().any(|part| is_traded(cells, (giver, before), part, rules)) {
                 break;
@@ -316,7 +334,7 @@ fn is_traded(cells: &mut [Cell], (giver, before): (usize, f64), part: ThinPart, 
     let Some((spur, rests)) = cut_off(&cells[giver].ring, part) else { return false };
     let Some((rest, others)) = joined_to_largest(rests) else { return false };
     let is_whole = others.iter().map(|ring| area(ring)).sum::<f64>() < MOST_GIVEN * area(&rest);
-    if !is_whole || !is_simple(&rest) || thin_area(&rest) > before - 0.5 * part.area {
+    if !is_whole || !is_simple(&rest) || thin_area(&rest, rules.below) > before - 0.5 * part.area {
         return false;
     }
     let mut taken: BTreeMap<usize, Ring> = BTreeMap::new();
@@ -325,7 +343,8 @@ fn is_traded(cells: &mut [Cell], (giver, before): (usize, f64), part: ThinPart, 
             return false;
         }
     }
-    let grown: f64 = taken.iter().map(|(&taker, ring)| thin_area(ring) - thin_area(&cells[taker].ring)).sum();
+    let thin = |ring: &Ring| thin_area(ring, rules.below);
+    let grown: f64 = taken.iter().map(|(&taker, ring)| thin(ring) - thin(&cells[taker].ring)).sum();
     if grown > 0.5 * part.area || !taken.values().all(|ring| is_simple(ring)) {
         return false;
     }
@@ -408,7 +427,7 @@ mod tests {
         let left = ring([(0., 0.), (3., 0.), (3., 5.), (2.8, 5.), (2.8, 4.), (0., 4.)]);
         let right = ring([(3., 0.), (6., 0.), (6., 5.), (3., 5.)]);
         let mut cells = vec![Cell::shared(left, "bedroom"), Cell::shared(right, "room")];
-        trade_thin_parts(&mut cells, Rules { typologies: &Typologies::default(), fixed: None });
+        trade_thin_parts(&mut cells, Rules::of_rooms(&Typologies::default()));
         assert!((area(&cells[0].ring) - 12.0).abs() < 1e-9, "{:?}", cells[0].ring);
         assert!((area(&cells[1].ring) - 15.2).abs() < 1e-9, "{:?}", cells[1].ring);
         assert!(cells.iter().all(|cell| thin_parts(&cell.ring, THIN_ROOM).is_empty()));
@@ -420,7 +439,7 @@ mod tests {
         let right = ring([(3., 0.), (6., 0.), (6., 5.), (3., 5.)]);
         let mut cells = vec![Cell::shared(left, "stairs"), Cell::shared(right, "room")];
         let typologies = Typologies::default();
-        trade_thin_parts(&mut cells, Rules { typologies: &typologies, fixed: Some("stairs") });
+        trade_thin_parts(&mut cells, Rules::of_rooms(&typologies).with_fixed("stairs"));
         assert!((area(&cells[0].ring) - 12.2).abs() < 1e-9);
     }
 

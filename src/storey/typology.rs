@@ -160,6 +160,9 @@ pub struct Typology {
     /// Room type of the room that people come into on the ground floor, along corridors: it takes the place of a room of the main type.
     #[serde(default)]
     pub entrance: Option<String>,
+    /// Room type of wings in which no corridor has a place; without it, such buildings are planned in another way.
+    #[serde(default)]
+    pub open_wing: Option<String>,
     /// Share of buildings whose dwellings above the ground floor have balconies where there is open air for them.
     #[serde(default)]
     pub balconies: f64,

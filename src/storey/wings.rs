@@ -4,7 +4,8 @@ use crate::geometry::{Point, Segment};
 
 use super::deep::Piece;
 use super::dwelling::Port;
-use super::ring::{Axis, Ring, along, area, bounds, inner_corners, longest, shared, split, total_length};
+use super::ring::{Axis, Ring, along, area, bounds, inner_corners, longest, shared, total_length};
+use super::spine::in_two;
 
 /// Wings below this many square metres are not cut off.
 const LEAST_WING: f64 = 45.0;
@@ -46,11 +47,7 @@ pub(super) fn compact(ring: Ring, found: &mut Vec<Ring>) {
     let corners: Vec<Point> = inner_corners(&ring).take(24).collect();
     for corner in corners {
         for axis in [Axis::X, Axis::Y] {
-            let (mut below, mut above) = split(&ring, axis, along(corner, axis));
-            if below.len() != 1 || above.len() != 1 {
-                continue;
-            }
-            let (first, second) = (below.remove(0), above.remove(0));
+            let Some((first, second)) = in_two(&ring, axis, along(corner, axis)) else { continue };
             let is_wing =
                 |ring: &Ring| area(ring) >= LEAST_WING && bounds(ring).size().min_element() >= NARROWEST_WING;
             if !is_wing(&first) || !is_wing(&second) {

@@ -70,7 +70,9 @@ fn check(
         {
             name.iter().for_each(|name| known(&spot.key(key), "room type", name, rooms));
         }
-        kind.entrance.iter().for_each(|room| known(&spot.key("entrance"), "room of `rooms`", room, &planned));
+        for (key, room) in [("entrance", &kind.entrance), ("open_wing", &kind.open_wing)] {
+            room.iter().for_each(|room| known(&spot.key(key), "room of `rooms`", room, &planned));
+        }
         for (key, list) in [("others", &kind.others), ("services", &kind.services)] {
             list.keys().for_each(|room| known(&spot.key(key).key(room), "room of `rooms`", room, &planned));
         }
