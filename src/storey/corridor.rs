@@ -63,6 +63,8 @@ const SLENDEREST: f64 = 3.0;
 const MOST_SERVICE: f64 = 2.5;
 /// Share of the rooms without windows that are stores, where the building has others that need none.
 const STORES: f64 = 0.5;
+/// Rooms that keep their form.
+const STRAIGHT: [&str; 2] = ["stairs", "elevator"];
 /// Metres by which a corridor is moved aside where it has no place, in this order.
 const ASIDE: [f64; 7] = [0.0, 1.2, -1.2, 2.4, -2.4, 3.6, -3.6];
 /// Share of a storey at most in which no corridor has a place.
@@ -91,7 +93,7 @@ struct Task<'a> {
     stream: &'a mut Stream,
 }
 
-/// One level, alike on all storeys; `None` where it does not come out. Later attempts are plainer.
+/// One level, alike on all storeys; `None` where it does not come out. Later attempts are plainer, and the last cuts more wings.
 pub(super) fn corridors(
     grounds: &[Ground],
     kind: Kind<'_>,
@@ -101,7 +103,7 @@ pub(super) fn corridors(
     let brief = kind.brief;
     let mut rings = Vec::new();
     for ground in grounds {
-        compact(ground.ring.clone(), &mut rings);
+        compact(ground.ring.clone(), attempt > 1, &mut rings);
     }
     let whole = grounds.first()?;
     let entrance = whole.facade.entrance.map(|(_, at)| at);
@@ -298,7 +300,14 @@ fn along_corridor(task: &mut Task<'_>, ground: &Ground, ways: &Ways, access: Acc
     }
     let mut rings: Vec<Ring> = vec![std::mem::take(&mut strip)];
     rings.extend(cells.iter().map(|cell| cell.ring.clone()));
-    let rest = settle(left_over, &mut rings, |index| if index == 0 { 0.5 } else { 1.0 });
+    // Flights are straight: stairs and lifts take what is left over only where nobody else does.
+    let is_straight = |index: usize| index > 0 && STRAIGHT.contains(&cells[index - 1].room_type.as_str());
+    let rest = settle(left_over, &mut rings, |index| match index {
+        0 => 0.5,
+        _ if is_straight(index) => 0.0,
+        _ => 1.0,
+    });
+    let rest = settle(rest, &mut rings, |_| 1.0);
     if rest.iter().map(|ring| area(ring)).sum::<f64>() > 0.05 {
         return None;
     }

@@ -452,6 +452,15 @@ mod tests {
     }
 
     #[test]
+    fn spikes_without_width_are_taken_off_and_corners_are_kept() {
+        let with_spike =
+            [(0.0, 0.0), (6.0, 0.0), (5.6, -0.001), (5.6, 3.0), (0.0, 3.0)].map(Point::from).to_vec();
+        let kept: Ring = [(0.0, 0.0), (5.6, -0.001), (5.6, 3.0), (0.0, 3.0)].map(Point::from).into();
+        assert_eq!(without_spikes(with_spike), kept);
+        assert_eq!(without_spikes(u_shape()), u_shape());
+    }
+
+    #[test]
     fn a_line_along_an_edge_leaves_no_crumb() {
         let (below, above) = split(&u_shape(), Axis::Y, 2.0);
         assert_eq!((below.len(), above.len()), (1, 2));

@@ -37,8 +37,9 @@ pub(super) struct Wing {
     pub(super) parent: Option<usize>,
 }
 
-/// Cuts a ring at its inner corners until all pieces are compact.
-pub(super) fn compact(ring: Ring, found: &mut Vec<Ring>) {
+/// Cuts a ring at its inner corners until all pieces are compact; where there is no such corner, `with_halves` cuts large pieces
+/// that are not in halves across their longer axis: triangles and slanted legs have a corridor in a part of them.
+pub(super) fn compact(ring: Ring, with_halves: bool, found: &mut Vec<Ring>) {
     let fill = area(&ring) / (bounds(&ring).size().x * bounds(&ring).size().y);
     if fill > 0.93 || area(&ring) < 2.0 * LEAST_WING || found.len() >= MOST_WINGS {
         return found.push(ring);
@@ -48,8 +49,6 @@ pub(super) fn compact(ring: Ring, found: &mut Vec<Ring>) {
     for corner in corners {
         for axis in [Axis::X, Axis::Y] {
             let Some((first, second)) = in_two(&ring, axis, along(corner, axis)) else { continue };
-            let is_wing =
-                |ring: &Ring| area(ring) >= LEAST_WING && bounds(ring).size().min_element() >= NARROWEST_WING;
             if !is_wing(&first) || !is_wing(&second) {
                 continue;
             }
@@ -59,13 +58,23 @@ pub(super) fn compact(ring: Ring, found: &mut Vec<Ring>) {
             }
         }
     }
-    match best {
-        Some((_, first, second)) => {
-            compact(first, found);
-            compact(second, found);
+    let halves = || {
+        let axis = longer_axis(&ring);
+        in_two(&ring, axis, along(bounds(&ring).center(), axis))
+            .filter(|(first, second)| with_halves && [first, second].into_iter().all(is_wing))
+    };
+    match best.map(|(_, first, second)| (first, second)).or_else(halves) {
+        Some((first, second)) => {
+            compact(first, with_halves, found);
+            compact(second, with_halves, found);
         }
         None => found.push(ring),
     }
+}
+
+/// Whether a piece is a wing of its own.
+fn is_wing(ring: &Ring) -> bool {
+    area(ring) >= LEAST_WING && bounds(ring).size().min_element() >= NARROWEST_WING
 }
 
 /// Wings whose corridors form a tree: the first is the root, and each other comes with the number of the one it is joined to.
@@ -163,4 +172,35 @@ fn meet(parent: &Wing, child: &mut Wing, border: Segment) -> Point {
     }
     let share = (place - from) / (to - from);
     border.at(share)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pieces(corners: &[(f64, f64)], with_halves: bool) -> Vec<f64> {
+        let mut found = Vec::new();
+        compact(corners.iter().copied().map(Point::from).collect(), with_halves, &mut found);
+        found.iter().map(|ring| area(ring)).collect()
+    }
+
+    #[test]
+    fn legs_are_parted_though_an_edge_is_not_quite_parallel_to_the_axes() {
+        let leg = |slant: f64| {
+            [(0.0, 0.0), (12.0, 0.0), (12.0, 12.0), (30.0, 12.0 - slant), (30.0, 24.0), (0.0, 24.0)]
+        };
+        assert_eq!(pieces(&leg(0.0), false).len(), 2);
+        let slanted = pieces(&leg(0.04), false);
+        assert_eq!(slanted.len(), 2, "{slanted:?}");
+        assert!((slanted.iter().sum::<f64>() - area(&leg(0.04).map(Point::from))).abs() < 0.01);
+    }
+
+    #[test]
+    fn a_triangle_is_halved_where_that_is_asked_for() {
+        let triangle = [(0.0, 0.0), (30.0, 0.0), (0.0, 24.0)];
+        assert_eq!(pieces(&triangle, false).len(), 1);
+        let halves = pieces(&triangle, true);
+        assert!(halves.len() > 1 && halves.iter().all(|&area| area >= LEAST_WING), "{halves:?}");
+        assert!((halves.iter().sum::<f64>() - 360.0).abs() < 0.1);
+    }
 }
