@@ -109,8 +109,7 @@ pub(super) fn large_rooms(
     let services: &[(&str, f64)] = if has_stairs { &[("stairs", STAIRS)] } else { &[] };
     let end = End { services, has_stairs, typologies, is_careful: true };
     let cells = |ring: Ring| {
-        let cut =
-            if has_stairs { part_cells(&ground.part(ring.clone()), end, room_type) } else { None };
+        let cut = if has_stairs { part_cells(&ground.part(ring.clone()), end, room_type) } else { None };
         cut.unwrap_or_else(|| vec![Cell::shared(ring, room_type)])
     };
     sections(ground, ground.ring.clone(), count).into_iter().flat_map(cells).collect()

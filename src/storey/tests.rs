@@ -146,6 +146,47 @@ fn corridors_of_wings_meet() {
 }
 
 #[test]
+fn a_wing_in_which_no_corridor_has_a_place_is_a_large_room() {
+    // A leg that leans by 45 degrees.
+    let corners = [
+        (0.0, 0.0),
+        (40.0, 0.0),
+        (40.0, 14.0),
+        (24.0, 14.0),
+        (41.0, 31.0),
+        (27.0, 31.0),
+        (10.0, 14.0),
+        (0.0, 14.0),
+    ];
+    let school = alone(region(&corners), 2.0, "school");
+    assert_eq!((school.report.typology.as_str(), school.report.rung), ("school", 0), "{:?}", school.report);
+    for level in 0..2 {
+        assert!(rooms_of(&school, level, "classroom").len() > 2, "{:?}", school.report);
+        assert_eq!(rooms_of(&school, level, "library").len(), 1, "{:?}", school.report);
+    }
+}
+
+#[test]
+fn a_large_storey_that_is_no_rectangle_is_no_open_plan() {
+    // A leg that leans, and a block whose walls are not parallel.
+    let corners = [
+        (-24.0, -6.0),
+        (-14.0, 19.0),
+        (15.0, 20.0),
+        (20.0, 4.0),
+        (24.0, -20.5),
+        (3.5, -20.3),
+        (3.9, -8.8),
+        (-16.5, -8.8),
+    ];
+    let mut corners: Vec<(f64, f64)> = corners.into();
+    corners.reverse();
+    let wards = alone(region(&corners), 3.0, "hospital");
+    assert_eq!(wards.report.rung, 0, "{:?}", wards.report);
+    assert!(rooms_of(&wards, 1, "ward").len() > 5, "{:?}", wards.report);
+}
+
+#[test]
 fn corridors_that_meet_are_joined_though_each_has_stairs() {
     let school = alone(
         region(&[(0.0, 0.0), (50.0, 0.0), (50.0, 14.0), (12.0, 14.0), (12.0, 45.0), (0.0, 45.0)]),
