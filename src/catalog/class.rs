@@ -289,6 +289,8 @@ pub enum Along {
     Back,
     /// Near the front edge (for children above).
     Front,
+    /// On the floor, in the long axis of the room, as near as may be to the end that is away from the doors; it looks down the axis.
+    Axis,
 }
 
 /// The places that one side of a class offers to children.
@@ -357,6 +359,8 @@ pub struct Relation {
 pub enum RelationKind {
     /// Its front points at the target.
     Faces,
+    /// Its front points at the target, and no wall is between them.
+    Sees,
     /// Stands across from the target, fronts towards each other.
     Opposite,
     /// Within the distance.
@@ -401,6 +405,8 @@ pub struct Grid {
     pub aisle: f64,
     /// Whether the grid is centred on the side instead of starting at a random first position.
     pub is_centered: bool,
+    /// Whether there is an aisle in the middle, with as many columns on both sides.
+    pub is_halved: bool,
     /// Whether two stand back to back at each place: shelves between aisles, seats in a hall.
     pub is_back_to_back: bool,
     /// Metres that stay free at the walls, as left, front, right, back: aisles, and the floor before a board.

@@ -391,12 +391,12 @@ fn choose(along: Along, middle: f64, free: &[(f64, f64)], trial: usize, stream: 
     });
     let &(from, to) = drawn.or(free.last())?;
     Some(match along {
-        Along::Center | Along::Even if trial == 0 => {
+        Along::Center | Along::Axis | Along::Even if trial == 0 => {
             let off = |&(from, to): &(f64, f64)| (middle.max(from).min(to) - middle).abs();
             let &(from, to) = free.iter().min_by(|a, b| off(a).total_cmp(&off(b)))?;
             middle.max(from).min(to)
         }
-        Along::Center | Along::Even => f64::midpoint(from, to),
+        Along::Center | Along::Axis | Along::Even => f64::midpoint(from, to),
         Along::Ends => [from, to][stream.below(2)],
         Along::Random | Along::Back | Along::Front => snap(stream.between(from, to), from, to),
     })
