@@ -7,6 +7,8 @@ const LINES: usize = 64;
 /// Share of the longest line that those beside it have while the room is as wide there: an apse or the foot of a tower at an end takes
 /// less of them.
 const LONG: f64 = 0.8;
+/// Metres by which one length must be more than another to count as longer: no last digit decides.
+const LONGER: f64 = 1e-3;
 
 /// The line along a direction in the middle of where an outline is longest, from its end that comes first in that direction.
 ///
@@ -27,11 +29,12 @@ pub fn long_axis(edges: &[Segment], along: Point) -> Option<Segment> {
     let chords: Vec<(f64, f64)> = (0..LINES).map(|line| chord(edges, along, at(line as f64))).collect();
     let length = |(from, to): (f64, f64)| to - from;
     // The first of equals, so that the run goes on from there.
-    let longest = (0..LINES).reduce(|a, b| if length(chords[b]) > length(chords[a]) { b } else { a })?;
+    let longest =
+        (0..LINES).reduce(|a, b| if length(chords[b]) > length(chords[a]) + LONGER { b } else { a })?;
     let is_beside = |&line: &usize| {
         let (from, to) = chords[line];
         let shared = to.min(chords[longest].1) - from.max(chords[longest].0);
-        shared >= LONG * length(chords[longest])
+        shared >= LONG * length(chords[longest]) - LONGER
     };
     let first = (0..longest).rev().take_while(is_beside).last().unwrap_or(longest);
     let last = (longest..LINES).take_while(is_beside).last().unwrap_or(longest);
@@ -54,7 +57,7 @@ fn chord(edges: &[Segment], along: Point, offset: f64) -> (f64, f64) {
         .collect();
     crossings.sort_by(f64::total_cmp);
     let inside = crossings.chunks_exact(2).map(|pair| (pair[0], pair[1]));
-    inside.reduce(|a, b| if b.1 - b.0 > a.1 - a.0 { b } else { a }).unwrap_or_default()
+    inside.reduce(|a, b| if b.1 - b.0 > a.1 - a.0 + LONGER { b } else { a }).unwrap_or_default()
 }
 
 #[cfg(test)]

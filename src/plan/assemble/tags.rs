@@ -2,7 +2,7 @@
 
 use super::walls::ray_hit;
 use super::{Assembly, WallIndex};
-use crate::geometry::Point;
+use crate::geometry::{CORNER_TOLERANCE, Point};
 use crate::plan::{Opening, OpeningKind, PIPES_TAG, Room, Wall, WallKind};
 
 /// Metres that a ray to the opposite wall starts inside the room.
@@ -118,8 +118,9 @@ fn opposite_wall(room: &Room, wall: usize, at: f64) -> Option<usize> {
 /// The wall at the end of the room's axis.
 fn end_wall(room: &Room, end: Point) -> Option<usize> {
     let gaps = room.walls.iter().enumerate().map(|(index, wall)| (index, wall.segment().distance(end)));
-    // The first of equals.
-    gaps.reduce(|best, next| if next.1 < best.1 { next } else { best }).map(|(index, _)| index)
+    // The first of those that are as near, whatever the last digit says.
+    gaps.reduce(|best, next| if next.1 < best.1 - CORNER_TOLERANCE { next } else { best })
+        .map(|(index, _)| index)
 }
 
 fn longest_wall(room: &Room) -> Option<usize> {
