@@ -289,7 +289,8 @@ pub enum Along {
     Back,
     /// Near the front edge (for children above).
     Front,
-    /// On the floor, in the long axis of the room, as near as may be to the end that is away from the doors; it looks down the axis.
+    /// In the long axis of the room, at its end away from the doors: at the wall there, or on the floor as near as may be to it, looking
+    /// down the axis.
     Axis,
 }
 

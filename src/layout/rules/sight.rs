@@ -157,6 +157,19 @@ mod tests {
     }
 
     #[test]
+    fn at_the_end_wall_the_stage_is_in_the_axis_and_not_in_the_middle_of_the_wall() {
+        let mut level =
+            level(&[(0.0, 0.0), (20.0, 0.0), (20.0, 10.0), (14.0, 10.0), (14.0, 6.0), (0.0, 6.0)]);
+        level.rooms[0].walls[1].tags = vec!["end".to_owned()];
+        let mut catalog = stage_and_rows(0);
+        let at_end = rule(ParentName::Wall, &[Side::Front], Turn::Parallel, Along::Axis);
+        catalog.classes[DESK].parents =
+            vec![crate::catalog::ParentRule { tag: Some("end".to_owned()), ..at_end }];
+        let stage = run(&level, &catalog, 1).placements[0].position;
+        assert!((stage.y - 3.0).abs() < 0.2 && stage.x > 19.0, "{stage}");
+    }
+
+    #[test]
     fn nobody_sits_where_a_wall_hides_the_stage() {
         let bent = [(0.0, 0.0), (30.0, 0.0), (30.0, 8.0), (8.0, 8.0), (8.0, 20.0), (0.0, 20.0)];
         let placements = run(&level(&bent), &stage_and_rows(300), 1).placements;
