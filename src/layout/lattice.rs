@@ -100,7 +100,8 @@ impl Axis {
     /// How many places a length has room for, one at least.
     pub(crate) fn count(&self, length: f64) -> usize {
         let most = (length / self.interval + ROUNDING).max(0.0) as usize + 1;
-        let fits = |count: &usize| count % self.step() == 0 && self.span(*count) <= length + ROUNDING;
+        let fits =
+            |count: &usize| count.is_multiple_of(self.step()) && self.span(*count) <= length + ROUNDING;
         (1..=most).rev().find(fits).unwrap_or(1)
     }
 }

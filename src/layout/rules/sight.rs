@@ -9,11 +9,14 @@ use super::View;
 
 /// Lines across the room before what is looked at, by which its usual width is known.
 const LINES: usize = 15;
+/// Borders that are looked at in the time of a step: what a room of thousands of corners costs counts, that of others does not.
+const BORDERS_A_STEP: usize = 256;
 
 /// Whether no wall of the room is between two points. Columns are: people look past them.
 pub(super) fn is_in_sight(environment: &Environment<'_>, from: Point, to: Point) -> bool {
     let sight = Segment::new(from, to);
     let borders = environment.brief.surroundings.borders.iter();
+    environment.count_steps((borders.len() / BORDERS_A_STEP) as u64);
     !borders.filter(|border| !border.is_open).any(|border| sight.crosses(border.segment))
 }
 
@@ -37,6 +40,7 @@ pub(super) fn watched(view: &View<'_>) -> Option<Watched> {
     let pose = view.environment.agents[target].rest()?.pose;
     let (position, front) = (pose.position, pose.front());
     let borders = &view.environment.brief.surroundings.borders;
+    view.environment.count_steps((2 * LINES * borders.len() / BORDERS_A_STEP) as u64);
     let reach = |from: Point, way: Point| {
         let hits = borders.iter().filter_map(|border| hit(from, way, border.segment));
         hits.reduce(f64::min).unwrap_or_default()
