@@ -147,7 +147,7 @@ fn value(relation: &Relation, own: Target, other: Target) -> f64 {
         RelationKind::Near | RelationKind::Beside => within(distance),
         // Nothing is too far away from what one wants to be away from: the upper end does not count.
         RelationKind::AwayFrom => fade(least - distance),
-        RelationKind::Faces => faces(own.front, towards) * within(distance),
+        RelationKind::Faces | RelationKind::Sees => faces(own.front, towards) * within(distance),
         RelationKind::Opposite => faces(own.front, towards) * faces(other.front, -towards) * within(distance),
         RelationKind::AlignedWith => {
             within(between.dot(own.front).abs().min(between.perp_dot(own.front).abs()))

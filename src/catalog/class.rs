@@ -289,6 +289,9 @@ pub enum Along {
     Back,
     /// Near the front edge (for children above).
     Front,
+    /// In the long axis of the room, at its end away from the doors: at the wall there, or on the floor as near as may be to it, looking
+    /// down the axis.
+    Axis,
 }
 
 /// The places that one side of a class offers to children.
@@ -357,6 +360,8 @@ pub struct Relation {
 pub enum RelationKind {
     /// Its front points at the target.
     Faces,
+    /// Its front points at the target, and no wall is between them.
+    Sees,
     /// Stands across from the target, fronts towards each other.
     Opposite,
     /// Within the distance.
@@ -401,6 +406,8 @@ pub struct Grid {
     pub aisle: f64,
     /// Whether the grid is centred on the side instead of starting at a random first position.
     pub is_centered: bool,
+    /// Whether there is an aisle in the middle, with as many columns on both sides.
+    pub is_halved: bool,
     /// Whether two stand back to back at each place: shelves between aisles, seats in a hall.
     pub is_back_to_back: bool,
     /// Metres that stay free at the walls, as left, front, right, back: aisles, and the floor before a board.

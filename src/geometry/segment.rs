@@ -78,6 +78,13 @@ impl Segment {
         self.vector().perp_dot(point - self.start)
     }
 
+    /// Whether it and another cross each other: a mere touch is no crossing.
+    #[must_use]
+    pub fn crosses(self, other: Self) -> bool {
+        let parts = |line: Self, of: Self| line.side(of.start) * line.side(of.end) < 0.0;
+        parts(self, other) && parts(other, self)
+    }
+
     /// Its point nearest to another.
     #[must_use]
     pub fn nearest(self, point: Point) -> Point {

@@ -19,12 +19,15 @@ pub(crate) struct Axis {
     block: usize,
     /// Metres that an aisle adds to the interval.
     aisle: f64,
+    /// Whether an aisle is in the middle of an even number of places.
+    is_halved: bool,
 }
 
 impl Axis {
     /// One of the two directions of a grid.
     pub(crate) fn new(grid: &Grid, axis: usize) -> Self {
-        Self { interval: grid.interval[axis], block: grid.block[axis] as usize, aisle: grid.aisle }
+        let is_halved = grid.is_halved && axis == 0;
+        Self { interval: grid.interval[axis], block: grid.block[axis] as usize, aisle: grid.aisle, is_halved }
     }
 
     /// The same with so many places spread over a length, one in the middle of each share of it, where that puts them farther
@@ -39,12 +42,22 @@ impl Axis {
         index as f64 * self.interval + self.aisles_before(index, count) as f64 * self.aisle
     }
 
-    /// The same for places before the first too. These have no aisles: what stands there has lost its block anyway.
+    /// The same for places before the first too. These have no aisles: what stands there has lost its block anyway. Halves go on alike
+    /// on both sides.
     pub(crate) fn at(&self, index: i64, count: usize) -> f64 {
         match usize::try_from(index) {
             Ok(index) => self.offset(index, count),
+            Err(_) if self.is_halved => {
+                let mirrored = index.unsigned_abs() as usize + count.max(1) - 1;
+                self.span(count) - self.offset(mirrored, count)
+            }
             Err(_) => index as f64 * self.interval,
         }
+    }
+
+    /// By how many places it grows: by one, or by one on each side of the aisle in the middle.
+    pub(crate) fn step(&self) -> usize {
+        1 + usize::from(self.is_halved)
     }
 
     /// How many places a length has room for before the first.
@@ -57,8 +70,21 @@ impl Axis {
         self.offset(count.max(1) - 1, count)
     }
 
-    /// Aisles before a place. The first blocks are the larger ones.
+    /// Aisles before a place. Of halves, the one before the aisle in the middle is the mirror of the other.
     fn aisles_before(&self, index: usize, count: usize) -> usize {
+        let half = count / 2;
+        if !self.is_halved || half == 0 {
+            return self.aisles_in_row(index, count);
+        }
+        let last = self.aisles_in_row(half - 1, half);
+        match index.checked_sub(half) {
+            Some(behind) => last + 1 + self.aisles_in_row(behind, half),
+            None => last - self.aisles_in_row(half - 1 - index, half),
+        }
+    }
+
+    /// Aisles before a place of a row without one in the middle. The first blocks are the larger ones.
+    fn aisles_in_row(&self, index: usize, count: usize) -> usize {
         if self.block == 0 {
             return 0;
         }
@@ -74,15 +100,17 @@ impl Axis {
     /// How many places a length has room for, one at least.
     pub(crate) fn count(&self, length: f64) -> usize {
         let most = (length / self.interval + ROUNDING).max(0.0) as usize + 1;
-        (1..=most).rev().find(|&count| self.span(count) <= length + ROUNDING).unwrap_or(1)
+        let fits =
+            |count: &usize| count.is_multiple_of(self.step()) && self.span(*count) <= length + ROUNDING;
+        (1..=most).rev().find(fits).unwrap_or(1)
     }
 }
 
 /// Columns and rows for `wanted` places: enough, few empty, and filling both directions alike. `most` bounds
-/// both; `intervals` is how many fit into each direction.
-pub(crate) fn columns_and_rows(wanted: usize, most: [usize; 2], intervals: Point) -> [usize; 2] {
+/// both; `intervals` is how many fit into each direction, and columns are a multiple of `step` where as many fit.
+pub(crate) fn columns_and_rows(wanted: usize, most: [usize; 2], intervals: Point, step: usize) -> [usize; 2] {
     let mut best = (f64::INFINITY, most);
-    for columns in 1..=most[0] {
+    for columns in (step.min(most[0])..=most[0]).step_by(step) {
         let rows = wanted.max(1).div_ceil(columns);
         if rows > most[1] {
             continue;
@@ -103,7 +131,7 @@ pub(crate) fn full_number(wanted: u32, grid: &Grid, room: Point) -> u32 {
     let axes = [Axis::new(grid, 0), Axis::new(grid, 1)];
     let most = [axes[0].count(room.x), axes[1].count(room.y)];
     let is_full = |&number: &u32| {
-        let [columns, rows] = columns_and_rows(number as usize, most, room / grid.interval);
+        let [columns, rows] = columns_and_rows(number as usize, most, room / grid.interval, axes[0].step());
         columns * rows == number as usize
     };
     let nearest = (0..wanted).flat_map(|off| [wanted + off, wanted - off]);
@@ -116,7 +144,7 @@ mod tests {
 
     #[test]
     fn an_aisle_follows_each_block() {
-        let axis = Axis { interval: 1.0, block: 2, aisle: 0.5 };
+        let axis = Axis { interval: 1.0, block: 2, aisle: 0.5, is_halved: false };
         assert_eq!([0, 1, 2, 3, 4].map(|index| axis.offset(index, 5)), [0.0, 1.0, 2.5, 3.5, 5.0]);
         assert_eq!([axis.count(0.9), axis.count(2.4), axis.count(2.5)], [1, 2, 3]);
         let without = Axis { block: 0, ..axis };
@@ -124,8 +152,24 @@ mod tests {
     }
 
     #[test]
+    fn halves_are_alike_with_an_aisle_in_the_middle() {
+        let axis = Axis { interval: 1.0, block: 2, aisle: 0.5, is_halved: true };
+        assert_eq!([0, 1].map(|index| axis.offset(index, 2)), [0.0, 1.5]);
+        assert_eq!([0, 1, 2, 3].map(|index| axis.offset(index, 4)), [0.0, 1.0, 2.5, 3.5]);
+        assert_eq!([1.4, 1.5, 2.9, 3.5].map(|length| axis.count(length)), [1, 2, 2, 4]);
+        for count in [2, 4, 6, 8] {
+            let at: Vec<f64> = (-3..count + 3).map(|index| axis.at(index, count as usize)).collect();
+            let middle = axis.span(count as usize) / 2.0;
+            let mirrored: Vec<f64> = at.iter().rev().map(|at| 2.0 * middle - at).collect();
+            assert!(at.iter().zip(&mirrored).all(|(a, b)| (a - b).abs() < 1e-9), "{count}: {at:?}");
+        }
+        assert_eq!(columns_and_rows(9, [7, 9], Point::new(7.0, 9.0), 2)[0] % 2, 0);
+        assert_eq!(columns_and_rows(9, [1, 9], Point::new(0.5, 9.0), 2), [1, 9], "too narrow for an aisle");
+    }
+
+    #[test]
     fn no_block_has_a_single_place_where_another_has_three() {
-        let axis = Axis { interval: 1.0, block: 12, aisle: 1.0 };
+        let axis = Axis { interval: 1.0, block: 12, aisle: 1.0, is_halved: false };
         let places: Vec<f64> = (0..13).map(|index| axis.offset(index, 13)).collect();
         assert_eq!((places[6], places[7], places[12]), (6.0, 8.0, 13.0), "seven and six");
         for (count, most) in (1..60).flat_map(|count| (1..9).map(move |most| (count, most))) {
@@ -141,17 +185,17 @@ mod tests {
 
     #[test]
     fn six_lamps_in_a_wide_room_make_three_by_two() {
-        assert_eq!(columns_and_rows(6, [3, 3], Point::new(2.8, 2.3)), [3, 2]);
+        assert_eq!(columns_and_rows(6, [3, 3], Point::new(2.8, 2.3), 1), [3, 2]);
     }
 
     #[test]
     fn more_than_fit_takes_all_there_is() {
-        assert_eq!(columns_and_rows(100, [3, 4], Point::new(2.0, 3.0)), [3, 4]);
+        assert_eq!(columns_and_rows(100, [3, 4], Point::new(2.0, 3.0), 1), [3, 4]);
     }
 
     #[test]
     fn thirty_six_in_a_hall_make_a_square() {
-        assert_eq!(columns_and_rows(36, [8, 7], Point::new(7.5, 6.5)), [6, 6]);
+        assert_eq!(columns_and_rows(36, [8, 7], Point::new(7.5, 6.5), 1), [6, 6]);
     }
 
     #[test]
@@ -161,6 +205,7 @@ mod tests {
             block: [0, 0],
             aisle: 0.0,
             is_centered: true,
+            is_halved: false,
             is_back_to_back: false,
             margin: [0.0; 4],
         };

@@ -317,7 +317,7 @@ fn holds_what_it_faces(
     let mut wishes = environment.class(agent).relations.iter();
     rule.orientation.turn == Turn::Facing
         && wishes.any(|wish| match (&wish.target, wish.kind) {
-            (ParentName::Classes(classes), RelationKind::Faces) => {
+            (ParentName::Classes(classes), RelationKind::Faces | RelationKind::Sees) => {
                 environment.resting_of(classes).any(hangs_there)
             }
             _ => false,

@@ -48,6 +48,7 @@ fn classes() -> Vec<Class> {
         block: [0, 0],
         aisle: 0.0,
         is_centered: true,
+        is_halved: false,
         is_back_to_back: false,
         margin: [0.0; 4],
     });
@@ -259,6 +260,21 @@ fn the_same_seed_gives_the_same_room_and_another_seed_another() {
 }
 
 #[test]
+fn mats_in_rows_lie_beside_each_other() {
+    let mut catalog = catalog(&[(3, Count::Fill(60))], Untidiness::default());
+    let mat = &mut catalog.classes[3];
+    mat.sizes = vec![Size { width: 1.2, depth: 0.8, height: 0.012 }];
+    mat.parents = vec![rule(ParentName::Floor, &[Side::Above], Turn::Quarter, Along::Random)];
+    let grid = mat.grid.as_mut().expect("lights hang in a grid");
+    grid.interval = Point::new(1.22, 0.85);
+    let mats = run(&level(&[(0.0, 0.0), (8.0, 0.0), (8.0, 6.0), (0.0, 6.0)]), &catalog, 1).placements;
+    assert!((20..60).contains(&mats.len()), "as many as have a place: {}", mats.len());
+    let is_apart = |one: &Placement, other: &Placement| one.position.distance(other.position) > 0.75;
+    let mut pairs = (0..mats.len()).flat_map(|a| (0..a).map(move |b| (a, b)));
+    assert!(pairs.all(|(a, b)| is_apart(&mats[a], &mats[b])));
+}
+
+#[test]
 fn shelves_stand_back_to_back_in_rows_with_an_aisle_between() {
     let level = level(&[(0.0, 0.0), (9.0, 0.0), (9.0, 8.0), (0.0, 8.0)]);
     let mut catalog = catalog(&[(4, Count::Fixed(8))], Untidiness::default());
@@ -266,8 +282,15 @@ fn shelves_stand_back_to_back_in_rows_with_an_aisle_between() {
     shelf.parents = vec![rule(ParentName::Floor, &[Side::Above], Turn::Quarter, Along::Random)];
     let interval = Point::new(1.0, 2.0);
     let margin = [0.0; 4];
-    shelf.grid =
-        Some(Grid { interval, block: [0, 0], aisle: 0.0, is_centered: true, is_back_to_back: true, margin });
+    shelf.grid = Some(Grid {
+        interval,
+        block: [0, 0],
+        aisle: 0.0,
+        is_centered: true,
+        is_halved: false,
+        is_back_to_back: true,
+        margin,
+    });
     let placements = run(&level, &catalog, 1).placements;
     assert_eq!(placements.len(), 8);
     for one in &placements {

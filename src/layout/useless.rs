@@ -103,6 +103,7 @@ mod tests {
             block: [0, 0],
             aisle: 0.0,
             is_centered: true,
+            is_halved: false,
             is_back_to_back: false,
             margin: [0.0; 4],
         });

@@ -11,6 +11,7 @@
 
 mod assemble;
 mod attach;
+mod axis;
 mod building;
 mod clean;
 mod digest;

@@ -11,9 +11,10 @@ use crate::geometry::Point;
 use serde_saphyr::{FlowMap, FlowSeq};
 
 /// Tags that assembling gives by what a wall is; they are not written, for they come back by themselves.
-const GIVEN_TAGS: [&str; 10] = [
+const GIVEN_TAGS: [&str; 11] = [
     "blind",
     "door",
+    "end",
     "exterior",
     "interior",
     "longest",

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::footprint::{Footprint, StoreyFacts};
-use super::typology::{PlanKind, Typologies, Typology};
+use super::typology::{PlanKind, Typologies, Typology, Use};
 use crate::layout::seed::{Stream, building_stream};
 
 /// Metres from floor to floor by which a height is counted in storeys.
@@ -153,14 +153,26 @@ fn uses_of(
         return (vec![chosen], None);
     }
     let by_word = footprint.uses.iter().find_map(|(_, word)| {
-        let known = typologies.uses.iter().find(|(_, entry)| entry.words.contains(word))?;
-        Some((vec![known.0.clone()], Some(word.clone())))
+        let (name, entry) = typologies.uses.iter().find(|(_, entry)| entry.words.contains(word))?;
+        let (name, word) = narrower(entry, footprint, typologies).unwrap_or((name, word));
+        Some((vec![name.clone()], Some(word.clone())))
     });
     by_word.unwrap_or_else(|| {
         let rule = typologies.unknown_use.iter().find(|rule| measures.area < rule.below);
         let uses = rule.map(|rule| std::iter::once(&rule.use_name).chain(&rule.otherwise).cloned().collect());
         (uses.unwrap_or_default(), None)
     })
+}
+
+/// The use that another word of the map says a use is in particular, and that word.
+fn narrower<'a>(
+    of: &Use,
+    footprint: &'a Footprint,
+    typologies: &'a Typologies,
+) -> Option<(&'a String, &'a String)> {
+    let uses = of.narrower.iter().filter_map(|name| typologies.uses.get_key_value(name));
+    let words = || footprint.uses.iter().map(|(_, word)| word);
+    uses.into_iter().find_map(|(name, entry)| Some((name, words().find(|word| entry.words.contains(word))?)))
 }
 
 fn told_storeys(facts: &StoreyFacts, choices: &Choices) -> Option<(u32, StoreySource)> {

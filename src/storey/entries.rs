@@ -3,6 +3,7 @@
 use crate::geometry::{Point, Segment};
 use crate::layout::seed::Stream;
 
+use super::axial;
 use super::dwelling::Port;
 use super::egress::too_far_out;
 use super::faces::Partition;
@@ -114,6 +115,7 @@ fn ways_out(ground: &Ground, partition: &Partition<'_>, entries: &[Entry]) -> Ve
 fn door_places(ground: &Ground, partition: &Partition<'_>, room: usize) -> Vec<Port> {
     let walls = partition.light(ground, room);
     let walls = walls.iter().filter(|wall| wall.length() > LEAST_WALL);
+    let axis = axial::axis(ground, partition, room);
     walls
         .flat_map(|wall| {
             let count = (wall.length() / PLACES_APART).floor().max(1.0) as u32;
@@ -122,6 +124,7 @@ fn door_places(ground: &Ground, partition: &Partition<'_>, room: usize) -> Vec<P
                 way: wall.normal(),
             })
         })
+        .filter(|port| axial::may_have_door(axis, port.at))
         .collect()
 }
 
@@ -145,6 +148,9 @@ fn ways_in(grounds: &[Ground], partition: &Partition<'_>) -> Vec<Entry> {
     let mut rooms = (0..cells.len()).filter(|&room| partition.is_public(room));
     if let Some(gate) = rooms.find_map(|room| gate(&grounds[0], partition, room)) {
         return vec![gate];
+    }
+    if let Some(entry) = axial::way_in(&grounds[0], partition) {
+        return vec![entry];
     }
     let is_single = cells.len() == grounds.len();
     // Nobody comes into a building through one of its flats.

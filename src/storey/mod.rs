@@ -12,6 +12,7 @@
 //! - walls, stairs and windows of the storeys of a building stand above each other;
 //! - a plan depends on the footprint, on what stands around it, and on the seed: not on other buildings or their order.
 
+mod axial;
 mod balconies;
 mod brief;
 mod building;

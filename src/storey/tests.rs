@@ -374,6 +374,41 @@ fn rooms_cover_the_floor_of_every_shape() {
 }
 
 #[test]
+fn a_church_is_entered_across_from_its_apse_and_has_no_door_there() {
+    let apse = [(30.0, 0.0), (33.0, 1.5), (35.0, 5.0), (35.0, 7.0), (33.0, 10.5), (30.0, 12.0)];
+    let corners: Vec<(f64, f64)> = [(0.0, 0.0)].into_iter().chain(apse).chain([(0.0, 12.0)]).collect();
+    let mirrored: Vec<(f64, f64)> = corners.iter().rev().map(|&(x, y)| (35.0 - x, y)).collect();
+    for (corners, entrance) in [(corners, 0.0), (mirrored, 35.0)] {
+        let church = alone(region(&corners), 1.0, "church");
+        let ways = church.draft.levels[0].openings.iter().filter(|opening| opening.kind == OpeningKind::Door);
+        let doors: Vec<Point> = ways
+            .filter_map(|opening| match opening.place {
+                crate::plan::OpeningPlace::Points { center, .. } => Some(center),
+                _ => None,
+            })
+            .map(|center| church.placement.position + direction(church.placement.turn).rotate(center))
+            .collect();
+        assert!((doors[0].x - entrance).abs() < 1.0 && (doors[0].y - 6.0).abs() < 1.0, "{doors:?}");
+        assert!(doors.iter().all(|door| (door.x - entrance).abs() < 28.0), "{doors:?}");
+    }
+}
+
+#[test]
+fn a_place_of_worship_is_that_of_its_religion() {
+    let kind = |tags: &[(&str, &str)]| {
+        let mut footprint = footprint("one", rectangle(0.0, 0.0, 20.0, 12.0), 1.0, "");
+        footprint.uses = tags.iter().map(|&(key, word)| (key.to_owned(), word.to_owned())).collect();
+        plan(&site(vec![footprint]), 0).report.typology
+    };
+    let place = ("amenity", "place_of_worship");
+    assert_eq!(kind(&[place, ("religion", "muslim")]), "mosque");
+    assert_eq!(kind(&[place, ("religion", "christian")]), "church");
+    assert_eq!(kind(&[place]), "house_of_prayer");
+    assert_eq!(kind(&[("building", "synagogue"), place]), "synagogue");
+    assert_eq!(kind(&[("amenity", "school"), ("religion", "christian")]), "school", "a school of a church");
+}
+
+#[test]
 fn nobody_is_far_from_stairs_or_doors() {
     let doors_of = |planned: &PlannedBuilding, level: usize| -> Vec<Point> {
         let openings = planned.draft.levels[level].openings.iter();

@@ -55,6 +55,10 @@ pub struct RoomNeeds {
     /// small building.
     #[serde(default)]
     pub gate: Option<f64>,
+    /// Whether people look along it, as in a church: the way in is at an end of its long axis, opposite to an apse if it has one, and
+    /// no further door is at the other end.
+    #[serde(default)]
+    pub axial: bool,
     /// Whether people may walk through it to other rooms.
     #[serde(default)]
     pub passage: bool,
@@ -213,6 +217,9 @@ pub struct Use {
     pub words: Vec<String>,
     /// Names of the kinds of buildings that serve it.
     pub typologies: Vec<String>,
+    /// Uses of which a further word of the map may say that it is one of them: a place of worship is a mosque where the religion says so.
+    #[serde(default)]
+    pub narrower: Vec<String>,
 }
 
 /// A guess of the use of a building.

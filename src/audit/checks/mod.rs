@@ -85,6 +85,7 @@ mod open_leaf;
 mod programme;
 mod reach;
 mod screens;
+mod sight;
 mod sparse;
 mod support;
 mod tight;
@@ -168,6 +169,8 @@ table! {
     TvPosition: "tv_position", Failed, [ScreenDistance, FreeDepth], "screens", screens::check;
     /// A seat turned away from its table, a desk used from behind, a mirror over nothing.
     Facing: "facing", Minor, [Angle, Count], "facing", facing::check;
+    /// A seat that does not see what its row looks at, such as a stage.
+    OutOfSight: "out_of_sight", Minor, [Angle, Count], "", sight::check;
     /// A tub or shower right before the toilet, a toilet that faces a kitchen.
     WetRoom: "wet_room", Failed, [FreeDepth, Distance], "wet_rooms", wet_room::check;
     /// A double bed with one side to get in where the room allows two.

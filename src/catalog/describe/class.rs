@@ -207,7 +207,7 @@ fn value_of(catalog: &Catalog, class: &Class, children: &[ClassIndex], room_type
         "company": class.needs_company,
         "grid": class.grid.map(|grid| json!({
             "interval": [grid.interval.x, grid.interval.y], "block": grid.block, "aisle": grid.aisle, "centered": grid.is_centered,
-            "back_to_back": grid.is_back_to_back, "margin": grid.margin
+            "halved": grid.is_halved, "back_to_back": grid.is_back_to_back, "margin": grid.margin
         })),
         "fitted": class.fitted.map(FittedPart::word),
         "joint": class.is_joint,

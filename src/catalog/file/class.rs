@@ -100,7 +100,7 @@ pub(crate) struct ClassEntry {
 #[serde(deny_unknown_fields)]
 pub(crate) struct WallsEntry {
     /// Points at walls with a tag: `pipes: 2` to stand there, `door: -5` to keep away. Tags are those of the plan, and
-    /// `pipes`, `door`, `window`, `open`, `opposite_door`, `blind`, `longest`, `exterior`, `interior`, `railing`.
+    /// `pipes`, `door`, `window`, `open`, `opposite_door`, `end` (of the long axis, away from the doors), `blind`, `longest`, `exterior`, `interior`, `railing`.
     #[serde(default)]
     pub(crate) tags: BTreeMap<String, f64>,
     /// Points at walls where a piece of a class or group stands already: `wc: 3`.
@@ -282,6 +282,9 @@ pub(crate) struct ClearanceEntry {
 pub(crate) struct RelationEntry {
     /// Its front points at the target.
     pub(crate) faces: Option<OneOrMany<String>>,
+    /// Its front points at the target, and no wall of the room is between them. Rows of a class that sees something begin before it, go
+    /// across its axis, and reach as far to both sides as the room usually does.
+    pub(crate) sees: Option<OneOrMany<String>>,
     /// Stands across from the target, fronts towards each other.
     pub(crate) opposite: Option<OneOrMany<String>>,
     /// Within the distance.
@@ -322,6 +325,9 @@ pub(crate) struct GridEntry {
     /// Whether the grid is centred on the side instead of starting at a random place; default false.
     #[serde(default)]
     pub(crate) centered: bool,
+    /// Whether an aisle is in the middle, with as many columns on both sides of it; default false.
+    #[serde(default)]
+    pub(crate) halved: bool,
     /// Whether two stand back to back at each place, which their depths share; default false.
     #[serde(default)]
     pub(crate) back_to_back: bool,

@@ -229,6 +229,7 @@ fn resolve_grid(chain: &Chain<'_, ClassEntry>, report: &mut Report<'_>) -> Optio
         block,
         aisle,
         is_centered: found.value.centered,
+        is_halved: found.value.halved,
         is_back_to_back: found.value.back_to_back,
         margin,
     })

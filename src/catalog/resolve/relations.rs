@@ -16,7 +16,7 @@ const DEFAULT_WEIGHT: f64 = 1.0;
 fn default_distance(kind: RelationKind) -> (f64, f64) {
     match kind {
         // Across a room and no further: a television, a whiteboard.
-        RelationKind::Faces | RelationKind::Opposite => (0.0, 8.0),
+        RelationKind::Faces | RelationKind::Sees | RelationKind::Opposite => (0.0, 8.0),
         RelationKind::Near => (0.0, 1.5),
         RelationKind::AwayFrom => (1.0, FAR),
         // As deep as the light of a window should stay free.
@@ -72,6 +72,7 @@ fn only_kind<'e>(
 ) -> Option<(&'static str, RelationKind, &'e OneOrMany<String>)> {
     let kinds = [
         ("faces", RelationKind::Faces, &entry.faces),
+        ("sees", RelationKind::Sees, &entry.sees),
         ("opposite", RelationKind::Opposite, &entry.opposite),
         ("near", RelationKind::Near, &entry.near),
         ("away_from", RelationKind::AwayFrom, &entry.away_from),

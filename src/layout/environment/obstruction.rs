@@ -137,7 +137,10 @@ impl Environment<'_> {
         // From the cheapest to the dearest: borders are few, bodies many, clearances need a region each.
         if self.is_outside(probe, recorder) {
             Some(RemovalReason::Outside)
-        } else if self.has_collision(probe, recorder) || self.slides_under_a_stranger(probe, recorder) {
+        } else if self.has_collision(probe, recorder)
+            || self.lies_on_its_like(probe, recorder)
+            || self.slides_under_a_stranger(probe, recorder)
+        {
             Some(RemovalReason::Collision)
         } else if self.blocks_a_way(probe, recorder)
             || !self.has_clearances(probe.agent, probe.place, false, recorder)
@@ -198,6 +201,23 @@ impl Environment<'_> {
             let meets = body.owner != probe.agent && probe.meets(&body.solid, CONTACT_TOLERANCE);
             meets.then(|| body_of(body.owner))
         })
+    }
+
+    /// Whether what lies flat, which is in nobody's way and has no body, would lie on another of its class: mats in rows.
+    fn lies_on_its_like<R: Recorder>(&self, probe: &Probe<'_>, recorder: &mut R) -> bool {
+        if !probe.place.lies_flat(probe.size) {
+            return false;
+        }
+        let others = self.resting[self.agents[probe.agent].piece.class].iter();
+        let meets = |other: &AgentIndex| {
+            let rest = self.agents[*other].rest().filter(|_| *other != probe.agent);
+            rest.is_some_and(|rest| {
+                box_solid(self.agents[*other].size, &rest.pose).overlaps(&probe.whole, CONTACT_TOLERANCE)
+            })
+        };
+        let met = others.copied().find(meets);
+        met.into_iter().for_each(|other| recorder.record(Obstacle::Body(other)));
+        met.is_some()
     }
 }
 

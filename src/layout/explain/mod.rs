@@ -114,7 +114,8 @@ fn wish(
         RelationKind::NotBefore | RelationKind::ClearOf => None,
         _ => measure(environment, agent, place, relation),
     };
-    let has_direction = matches!(relation.kind, RelationKind::Faces | RelationKind::Opposite);
+    let has_direction =
+        matches!(relation.kind, RelationKind::Faces | RelationKind::Sees | RelationKind::Opposite);
     Wish {
         about: relation_word(relation.kind),
         target: target_name(environment, &relation.target),

@@ -11,6 +11,7 @@ use crate::plan::OpeningKind;
 pub(super) fn relation_word(kind: RelationKind) -> &'static str {
     match kind {
         RelationKind::Faces => "faces",
+        RelationKind::Sees => "sees",
         RelationKind::Opposite => "opposite",
         RelationKind::Near => "near",
         RelationKind::AwayFrom => "away from",

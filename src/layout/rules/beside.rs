@@ -142,7 +142,7 @@ fn propose(view: &View<'_>, face: &Face, stream: &mut Stream, poses: &mut Vec<Po
         // Half of what the side leaves free. A child that is longer than the side sits at its middle.
         let room = (face.length / 2.0 - Agent::half_extent(view.size, right, along)).max(0.0);
         let at = match rule.along {
-            Along::Center => 0.0,
+            Along::Center | Along::Axis => 0.0,
             Along::Even => even(face, trial),
             Along::Ends => room * if trial % 2 == 0 { 1.0 } else { -1.0 },
             // Left and right of a parent, "back" is flush with its back, so that cabinets line up.
@@ -168,7 +168,7 @@ fn propose(view: &View<'_>, face: &Face, stream: &mut Stream, poses: &mut Vec<Po
 /// How many positions make sense: one where it is given, one per place where they are spread evenly.
 fn trials(along: Along, face: &Face) -> usize {
     match along {
-        Along::Center | Along::Back | Along::Front => 1,
+        Along::Center | Along::Axis | Along::Back | Along::Front => 1,
         Along::Ends => 2,
         Along::Even => face.places.0.max(1) as usize,
         Along::Random => TRIALS_PER_SIDE,

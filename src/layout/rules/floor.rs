@@ -13,6 +13,11 @@ use crate::layout::seed::Stream;
 use super::View;
 use super::turn::{self, Bearing, angle_of_front};
 
+/// Metres between the places that are tried in the axis of a room.
+const AXIS_STEP: f64 = 0.25;
+/// Share of the axis, from its end on, in which they are.
+const AXIS_SHARE: f64 = 0.6;
+
 /// Poses on the floor or ceiling: in the room's corners, around its middle, or anywhere.
 pub(super) fn propose(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose>) {
     if view.rule.along == Along::Ends {
@@ -20,6 +25,9 @@ pub(super) fn propose(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose
         if view.environment.is_built_in(view.agent) {
             return;
         }
+    }
+    if view.rule.along == Along::Axis {
+        return propose_on_axis(view, stream, poses);
     }
     let region = &view.environment.brief.surroundings.room.region;
     let bounds = region.outline.bounds();
@@ -39,7 +47,8 @@ pub(super) fn propose(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose
 
 /// Poses on a regular lattice over the whole room, in a fixed order.
 pub(super) fn scan(view: &View<'_>, is_thorough: bool, stream: &mut Stream, poses: &mut Vec<Pose>) {
-    if view.rule.along == Along::Ends && view.environment.is_built_in(view.agent) {
+    let is_of_corners = view.rule.along == Along::Ends && view.environment.is_built_in(view.agent);
+    if is_of_corners || view.rule.along == Along::Axis {
         return;
     }
     let region = &view.environment.brief.surroundings.room.region;
@@ -117,6 +126,21 @@ fn propose_corners(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose>) 
         let position = at + along * (half.x + gap + shift) + along.perp() * (half.y + gap);
         poses.push(Pose::new(position, elevation(view), angle));
     }
+}
+
+/// Poses in the long axis of the room, from its end on, with the back to the end.
+fn propose_on_axis(view: &View<'_>, stream: &mut Stream, poses: &mut Vec<Pose>) {
+    let surroundings = &view.environment.brief.surroundings;
+    let Some(axis) = surroundings.room.long_axis(&surroundings.level.openings) else { return };
+    let (way, length) = (-axis.direction(), axis.length());
+    let bearing = Bearing { parent_angle: angle_of_front(way), outward: Point::ZERO };
+    let angle = turn::angle(&view.rule.orientation, &bearing, stream);
+    let right = crate::geometry::direction(angle);
+    let first = stream.between(view.rule.gap.0, view.rule.gap.1) + Agent::half_extent(view.size, right, way);
+    let step = AXIS_STEP.max(length / SCAN_POINTS);
+    let steps = ((length * AXIS_SHARE - first) / step).max(0.0) as u32;
+    let at = (0..=steps).map(|number| axis.end + way * (first + step * f64::from(number)));
+    poses.extend(at.map(|position| Pose::new(position, elevation(view), angle)));
 }
 
 fn pose_at(view: &View<'_>, position: Point, stream: &mut Stream) -> Pose {

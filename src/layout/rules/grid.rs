@@ -17,7 +17,8 @@ use crate::layout::seed::{Purpose, RoomKey, Stream};
 use super::View;
 use super::floor::elevation;
 use super::relation::best_quarter;
-use super::turn::{self, Bearing};
+use super::sight::{Watched, watched};
+use super::turn::{self, Bearing, angle_of_front};
 
 /// Metres beyond its margin at which the first row stands before what the pieces face, at most: in a hall that they do not fill,
 /// they do not stand in its middle.
@@ -86,10 +87,14 @@ impl Lattice {
     fn new(view: &View<'_>, grid: &Grid, key: &RoomKey) -> Self {
         // One stream for the class: all its agents must agree on the lattice.
         let mut stream = key.stream(Purpose::Placement, &view.class.id, 0);
-        let angle = angle(view, &mut stream);
+        let watched = watched(view);
+        let angle =
+            watched.map_or_else(|| angle(view, &mut stream), |watched| angle_of_front(-watched.front));
         // Rows and aisles go by the side of the pieces, not by the walls: pupils sit beside each other.
         let frame = Pose::new(Point::ZERO, 0.0, angle);
-        let bounds = within_margins(view, grid, extent(view, &frame));
+        let whole = extent(view, &frame);
+        let before = watched.map_or(whole, |watched| before(&frame, watched, grid));
+        let bounds = within_margins(view, grid, before);
         let members = members(view, grid);
         let half = half_of_place(view, grid);
         let wanted = wanted(view).div_ceil(members.len());
@@ -101,7 +106,9 @@ impl Lattice {
             ParentPart::Ceiling => over_floor(wanted, lay, |place| is_over_floor(view, &frame, place, half)),
             _ => lay(wanted, 1.0),
         };
-        let middles = Bounds::new(bounds.low + half, bounds.high - half);
+        // Beyond the floor before what they look at are places for those who have none on it: in the arms of a cross.
+        let outer = if watched.is_some() { whole } else { bounds };
+        let middles = Bounds::new(outer.low + half, outer.high - half);
         Self { frame, angle, axes, members, block, middles }
     }
 
@@ -177,6 +184,13 @@ fn angle(view: &View<'_>, stream: &mut Stream) -> f64 {
     best_quarter(view.environment, &view.class.relations, middle, surroundings.main_angle).unwrap_or(drawn)
 }
 
+/// The floor before what the agents look at, in their frame: as wide as the room usually is there.
+fn before(frame: &Pose, watched: Watched, grid: &Grid) -> Bounds {
+    let at = Point::new(watched.position.dot(frame.right), watched.position.dot(frame.right.perp()));
+    let (left, right, depth) = watched.floor(grid.is_halved);
+    Bounds::new(at - Point::new(left, 0.0), at + Point::new(right, depth))
+}
+
 /// What the margins of a grid leave of the room. Along an axis where no piece would fit they are given up.
 fn within_margins(view: &View<'_>, grid: &Grid, room: Bounds) -> Bounds {
     let [left, front, right, back] = grid.margin;
@@ -213,7 +227,7 @@ impl Block {
         let margins = depths.map(|depth| Margins::new(view, grid, depth));
         let margins = margins.iter().find(|margins| has_places(margins)).unwrap_or(&margins[2]);
         let room = frame_room(margins);
-        let counts = columns_and_rows(wanted, most_in(room), room / grid.interval);
+        let counts = columns_and_rows(wanted, most_in(room), room / grid.interval, axes[0].step());
         let axes = match view.parent {
             // Lamps light the whole room, however few they are.
             ParentPart::Ceiling => [0, 1].map(|axis| axes[axis].spread(counts[axis], bounds.size()[axis])),
@@ -224,7 +238,8 @@ impl Block {
         let share =
             if grid.is_centered { Point::splat(0.5) } else { Point::new(stream.unit(), stream.unit()) };
         let mut offset = slack * share;
-        if view.class.relations.iter().any(|wish| wish.kind == RelationKind::Faces) {
+        let is_facing = |kind: RelationKind| matches!(kind, RelationKind::Faces | RelationKind::Sees);
+        if view.class.relations.iter().any(|wish| is_facing(wish.kind)) {
             offset.y = offset.y.min(FARTHEST_ROW);
         }
         (Self { first: bounds.low + margins.low + offset, counts }, axes)

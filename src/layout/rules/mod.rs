@@ -7,6 +7,7 @@ mod floor;
 mod grid;
 mod poor_places;
 mod relation;
+mod sight;
 mod surface;
 mod swing;
 mod turn;

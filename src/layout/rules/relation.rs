@@ -14,6 +14,7 @@ use crate::layout::place::{AgentIndex, ParentPart, Place};
 use crate::plan::OpeningKind;
 
 use super::corner::corner_points;
+use super::sight::is_in_sight;
 use super::swing::clearness;
 
 /// Radians beyond the good angle over which a wish about direction fades to nothing.
@@ -183,7 +184,9 @@ pub(crate) fn unmet_need(environment: &Environment<'_>, agent: AgentIndex, place
         _ => {
             let own = Target::own(environment, agent, place);
             // Met in full: inside the range of distance and of angle, without the fade that a mere wish has.
-            targets(environment, &relation.target).any(|target| value(relation, own, target) >= 1.0)
+            targets(environment, &relation.target).any(|target| {
+                value(relation, own, target) >= 1.0 && is_seen(environment, relation, own, target)
+            })
         }
     };
     let relations = &environment.class(agent).relations;
@@ -214,7 +217,8 @@ pub(crate) fn measure(
     let measured = targets(environment, &relation.target).enumerate().map(|(index, other)| {
         let (distance, towards) = way_to(own, other);
         let angle = libm::acos(own.front.dot(towards).clamp(-1.0, 1.0));
-        Measured { index, distance, angle, value: value(relation, own, other) }
+        let value = value_in(environment, relation, own, other);
+        Measured { index, distance, angle, value }
     });
     let is_bad_if_any = relation.kind == RelationKind::AwayFrom;
     let decides =
@@ -256,7 +260,7 @@ fn facing<'a>(
     relations: &'a [Relation],
 ) -> impl Iterator<Item = (&'a Relation, Target)> + 'a {
     let is_facing = |relation: &&Relation| {
-        matches!(relation.kind, RelationKind::Faces | RelationKind::Opposite)
+        matches!(relation.kind, RelationKind::Faces | RelationKind::Sees | RelationKind::Opposite)
             && matches!(relation.target, ParentName::Classes(_))
     };
     relations
@@ -285,7 +289,8 @@ impl Target {
 /// 1 where the wish is met, falling to 0; 1 where there is nothing to relate to.
 fn fulfilment(environment: &Environment<'_>, agent: AgentIndex, place: &Place, relation: &Relation) -> f64 {
     let own = Target::own(environment, agent, place);
-    let values = targets(environment, &relation.target).map(|target| value(relation, own, target));
+    let values =
+        targets(environment, &relation.target).map(|target| value_in(environment, relation, own, target));
     let is_bad_if_any = relation.kind == RelationKind::AwayFrom;
     values.reduce(if is_bad_if_any { f64::min } else { f64::max }).unwrap_or(1.0)
 }
@@ -296,6 +301,17 @@ fn way_to(own: Target, other: Target) -> (f64, Point) {
     // About what is between the two: half of the smaller side is taken for each, whichever way it is turned.
     let distance = (between.length() - own.radius - other.radius).max(0.0);
     (distance, between.normalize_or(own.front))
+}
+
+/// How far a wish is met, in a room whose walls may be in the way.
+fn value_in(environment: &Environment<'_>, relation: &Relation, own: Target, other: Target) -> f64 {
+    let value = value(relation, own, other);
+    if value > 0.0 && !is_seen(environment, relation, own, other) { 0.0 } else { value }
+}
+
+/// Whether no wall is in the way of a wish that has to do with sight.
+fn is_seen(environment: &Environment<'_>, relation: &Relation, own: Target, other: Target) -> bool {
+    relation.kind != RelationKind::Sees || is_in_sight(environment, own.position, other.position)
 }
 
 fn value(relation: &Relation, own: Target, other: Target) -> f64 {
@@ -309,7 +325,10 @@ fn value(relation: &Relation, own: Target, other: Target) -> f64 {
     match relation.kind {
         RelationKind::Near | RelationKind::Beside => within(distance, relation.distance),
         RelationKind::AwayFrom => 1.0 - within(distance, (0.0, relation.distance.0)),
-        RelationKind::Faces => faces(own.front, towards) * within(distance, relation.distance),
+        // Walls between them are asked of the room.
+        RelationKind::Faces | RelationKind::Sees => {
+            faces(own.front, towards) * within(distance, relation.distance)
+        }
         RelationKind::Opposite => {
             faces(own.front, towards) * faces(other.front, -towards) * within(distance, relation.distance)
         }

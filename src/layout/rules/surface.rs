@@ -89,7 +89,7 @@ pub(super) fn scan(view: &View<'_>, parent: AgentIndex, stream: &mut Stream, pos
         Along::Random => 0..=steps.y as u32,
         Along::Back => steps.y as u32..=steps.y as u32,
         Along::Front => 0..=0,
-        Along::Center | Along::Even | Along::Ends => return,
+        Along::Center | Along::Even | Along::Ends | Along::Axis => return,
     };
     for row in rows {
         for column in 0..=steps.x as u32 {
@@ -126,7 +126,7 @@ fn position(
     }
     let middle = (least + most) / 2.0;
     Some(match along {
-        Along::Center => middle,
+        Along::Center | Along::Axis => middle,
         Along::Even => {
             // The next of the even places first, then those after it.
             let index = (surface.taken + trial) % surface.places;

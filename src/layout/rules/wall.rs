@@ -28,13 +28,22 @@ pub(super) fn propose(view: &View<'_>, wall: usize, stream: &mut Stream, poses: 
         let across = (target - strip.wall.start).dot(strip.wall.direction());
         poses.extend(nearest_free(free.as_slice(), across).map(|at| strip.pose(at)));
     }
+    let middle = middle(view, strip.wall);
     for trial in 0..TRIALS_PER_WALL {
-        let middle = strip.wall.length() / 2.0;
         match choose(view.rule.along, middle, free.as_slice(), trial, stream) {
             Some(at) => poses.push(strip.pose(at)),
             None => return,
         }
     }
+}
+
+/// Where the middle of what stands in the middle is, in metres from the wall's start: that of the wall, or where the axis of the room
+/// meets it.
+fn middle(view: &View<'_>, wall: &Wall) -> f64 {
+    let surroundings = &view.environment.brief.surroundings;
+    let on_axis = || surroundings.room.long_axis(&surroundings.level.openings).map(|axis| axis.end);
+    let end = if view.rule.along == Along::Axis { on_axis() } else { None };
+    end.map_or(wall.length() / 2.0, |end| (end - wall.start).dot(wall.direction()))
 }
 
 /// What would stand along a wall.
@@ -391,12 +400,12 @@ fn choose(along: Along, middle: f64, free: &[(f64, f64)], trial: usize, stream: 
     });
     let &(from, to) = drawn.or(free.last())?;
     Some(match along {
-        Along::Center | Along::Even if trial == 0 => {
+        Along::Center | Along::Axis | Along::Even if trial == 0 => {
             let off = |&(from, to): &(f64, f64)| (middle.max(from).min(to) - middle).abs();
             let &(from, to) = free.iter().min_by(|a, b| off(a).total_cmp(&off(b)))?;
             middle.max(from).min(to)
         }
-        Along::Center | Along::Even => f64::midpoint(from, to),
+        Along::Center | Along::Axis | Along::Even => f64::midpoint(from, to),
         Along::Ends => [from, to][stream.below(2)],
         Along::Random | Along::Back | Along::Front => snap(stream.between(from, to), from, to),
     })

@@ -2,6 +2,7 @@
 
 use super::walls::ray_hit;
 use super::{Assembly, WallIndex};
+use crate::geometry::{CORNER_TOLERANCE, Point};
 use crate::plan::{Opening, OpeningKind, PIPES_TAG, Room, Wall, WallKind};
 
 /// Metres that a ray to the opposite wall starts inside the room.
@@ -94,6 +95,9 @@ fn tag_room(room: &mut Room, openings: &[Opening]) {
     if let Some(longest) = longest_wall(room) {
         tags[longest].push("longest");
     }
+    if let Some(end) = room.long_axis(openings).and_then(|axis| end_wall(room, axis.end)) {
+        tags[end].push("end");
+    }
     for (wall, tags) in room.walls.iter_mut().zip(tags) {
         wall.tags.extend(tags.into_iter().map(str::to_owned));
         wall.tags.sort_unstable();
@@ -108,6 +112,14 @@ fn opposite_wall(room: &Room, wall: usize, at: f64) -> Option<usize> {
     let hits = room.walls.iter().enumerate().filter(|(index, _)| *index != wall);
     hits.filter_map(|(index, far)| Some((index, ray_hit(start, entry.normal(), far.segment())?)))
         .min_by(|a, b| a.1.total_cmp(&b.1))
+        .map(|(index, _)| index)
+}
+
+/// The wall at the end of the room's axis.
+fn end_wall(room: &Room, end: Point) -> Option<usize> {
+    let gaps = room.walls.iter().enumerate().map(|(index, wall)| (index, wall.segment().distance(end)));
+    // The first of those that are as near, whatever the last digit says.
+    gaps.reduce(|best, next| if next.1 < best.1 - CORNER_TOLERANCE { next } else { best })
         .map(|(index, _)| index)
 }
 

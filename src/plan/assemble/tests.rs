@@ -55,10 +55,25 @@ fn outer_walls_have_the_outer_thickness_and_every_room_its_tags() {
     assert_eq!(walls[0].tags, ["exterior", "longest", "window"]);
     assert_eq!(walls[1].tags, ["door", "interior"]);
     assert_eq!(walls[2].tags, ["blind", "exterior"]);
-    assert_eq!(walls[3].tags, ["blind", "exterior", "opposite_door"]);
+    assert_eq!(walls[3].tags, ["blind", "end", "exterior", "opposite_door"]);
     assert!((walls[0].thickness - 0.3).abs() < 1e-12);
     // Half way through the outer wall.
     assert!(level.openings[0].center.distance(Point::new(2.0, -0.15)) < 1e-9);
+}
+
+#[test]
+fn the_end_of_a_room_is_that_of_its_long_axis_away_from_the_door() {
+    let hall = || rectangle("hall", (0.0, 0.0), (12.0, 6.0));
+    let ends = |door: (f64, f64), way: (f64, f64)| -> Vec<usize> {
+        let door = opening("d", OpeningKind::Door, at(door.0, door.1, way), 0.9);
+        let (level, problems) = assemble_level(level(vec![hall()], vec![door]));
+        assert_eq!(problems, vec![]);
+        let walls = level.rooms[0].walls.iter().enumerate();
+        walls.filter(|(_, wall)| wall.tags.iter().any(|tag| tag == "end")).map(|(index, _)| index).collect()
+    };
+    assert_eq!(ends((0.0, 3.0), (0.0, 1.0)), [1], "the east wall, across from a door in the west");
+    assert_eq!(ends((12.0, 3.0), (0.0, 1.0)), [3]);
+    assert_eq!(ends((10.0, 0.0), (1.0, 0.0)), [3], "also where the door is in a long wall");
 }
 
 #[test]

@@ -51,7 +51,7 @@ const BOTTOMS: [&str; 4] = ["min_height", "building:min_height", "minHeight", "b
 /// Numbers of flats.
 const FLATS: [&str; 4] = ["building:flats", "building:units", "flats", "number_of_residential_units"];
 /// What it is used for. What the whole building is comes before who is in it; kinds before their families.
-const USES: [&str; 19] = [
+const USES: [&str; 20] = [
     "building:use",
     "building",
     "building:part",
@@ -71,6 +71,7 @@ const USES: [&str; 19] = [
     "class",
     "bldg:class",
     "subtype",
+    "religion",
 ];
 /// Words that say nothing of a use.
 const NO_USES: [&str; 6] = ["", "yes", "true", "no", "unknown", "null"];
