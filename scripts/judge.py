@@ -161,12 +161,22 @@ def given(verdicts: list[Verdict], most: int) -> str:
 
 
 def variety(verdicts: list[Verdict]) -> str:
-    counts = list(variety_of(verdicts).values())
+    kinds = variety_of(verdicts)
+    counts = [count for of_kind in kinds.values() for count in of_kind]
     seeds = len({verdict.place.seed for verdict in verdicts})
-    least = sum(count >= LEAST_VARIETY for count in counts)
     rooms = max(len(counts), 1)
-    return (f"Variety: {least} of {len(counts)} rooms ({least / rooms:.0%}) have {LEAST_VARIETY} or more arrangements in {seeds} "
-            f"seeds, mirrored ones counted once; a room has {sum(counts) / rooms:.1f} on average").replace("%", " %")
+    head = (f"Variety: {varied(counts)} of {len(counts)} rooms ({varied(counts) / rooms:.0%}) have {LEAST_VARIETY} or more "
+            f"arrangements in {seeds} seeds, mirrored ones counted once; a room has {sum(counts) / rooms:.1f} on average")
+    # The types of which most rooms lack it first.
+    lacking = sorted(kinds, key=lambda kind: (varied(kinds[kind]) - len(kinds[kind]), kind))
+    lines = [f"| {kind} | {len(kinds[kind])} | {varied(kinds[kind])} | {varied(kinds[kind]) / len(kinds[kind]):.0%} |"
+             for kind in lacking]
+    table = ["| type | rooms | varied | share |", "|---|---|---|---|", *lines]
+    return "\n".join([head, "", *table]).replace("%", " %")
+
+
+def varied(counts: list[int]) -> int:
+    return sum(count >= LEAST_VARIETY for count in counts)
 
 
 def as_json(verdicts: list[Verdict]) -> str:

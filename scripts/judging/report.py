@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import NamedTuple
 
 import numpy as np
@@ -135,13 +136,18 @@ def given_lines(verdicts: list[Verdict]) -> list[str]:
     return lines
 
 
-def variety_of(verdicts: list[Verdict]) -> dict[tuple[str, str, str], int]:
-    """The number of arrangements of each room over its seeds."""
+def variety_of(verdicts: list[Verdict]) -> dict[str, list[int]]:
+    """The number of arrangements of each room over its seeds, by the type that the room has with most of them."""
     rooms: dict[tuple[str, str, str], list[Verdict]] = {}
     for verdict in verdicts:
         if verdict.arrangement.stands:
             rooms.setdefault(verdict.place[:3], []).append(verdict)
-    return {place: distinct(verdict.arrangement for verdict in group) for place, group in rooms.items()}
+    found: dict[str, list[int]] = {}
+    for group in rooms.values():
+        kinds = Counter(verdict.place.kind for verdict in group)
+        kind = min(kinds, key=lambda kind: (-kinds[kind], kind))
+        found.setdefault(kind, []).append(distinct(verdict.arrangement for verdict in group))
+    return found
 
 
 def worst_rooms(verdicts: list[Verdict], code: str, most: int) -> list[str]:

@@ -53,6 +53,7 @@ def test_the_command_reports_variety_and_what_plans_have_no_place_for(tmp_path, 
     assert main([str(tmp_path), "--quiet", "--compare", "--variety", "--worst", "3"]) == 0
     out = capsys.readouterr().out
     assert "0 of 1 rooms (0 %) have 3 or more arrangements" in out and "2.0 on average" in out
+    assert "| bedroom | 1 | 0 | 0 % |" in out
     assert "- house/ground/101 bedroom 20.0 m², 1 seed: no double_bed" in out
 
 

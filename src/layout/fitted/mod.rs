@@ -5,8 +5,8 @@
 //! - takes its units from the programme (`units`): all pieces whose class has a [`crate::catalog::FittedPart`],
 //! - finds the stretches that are free (`legs`): of walls, and along open sides for bars,
 //! - joins them to rows (`forms`): along one wall, around one corner or two, in two parts, with a bar across the aisle,
-//! - makes rows for each (`rows`) of the units that fit side by side (`lanes`), compares them by points (`points`), and takes the
-//!   best that is free of everything,
+//! - makes rows for each (`rows`) of the units that fit side by side (`lanes`), compares them by points (`points`), to which those
+//!   without faults add the taste of the seed (`taste`), and takes the best that is free of everything,
 //! - hangs the wall units over it (`hanging`),
 //! - does so again with slim units where somebody would have too little space before the usual ones.
 //!
@@ -19,7 +19,7 @@ mod lanes;
 mod legs;
 mod points;
 mod rows;
-
+mod taste;
 #[cfg(test)]
 mod tests;
 mod units;
@@ -35,6 +35,7 @@ use forms::{Form, forms_around_corners, forms_in_two_parts, forms_with_bars, str
 use lanes::Standing;
 use points::Judge;
 use rows::{Row, rows_in};
+use taste::add_taste;
 use units::{Depth, Units};
 
 /// Rows that the room may refuse, the best first; one that refuses so many has something in the way everywhere.
@@ -144,12 +145,14 @@ fn rows_by_points(environment: &Environment<'_>, units: &Units, stream: &mut Str
     let judge = Judge::new(environment);
     let legs = legs::free_legs(environment, units, stream);
     let mut rows = Vec::new();
+    let mut needs = Vec::new();
     let mut add = |forms: Vec<Form>, stream: &mut Stream| {
         for form in forms {
             for row in rows_in(units, &form) {
                 environment.count_steps(STEPS_A_ROW);
-                let points = judge.points(units, &form, &row) + stream.unit() * points::CHANCE;
-                rows.push(Row { points, ..row });
+                let merit = judge.merit(units, &form, &row);
+                needs.push(merit.needs);
+                rows.push(Row { points: merit.points() + stream.unit() * points::CHANCE, ..row });
             }
         }
         rows.iter().any(|row: &Row| row.is_complete)
@@ -162,6 +165,8 @@ fn rows_by_points(environment: &Environment<'_>, units: &Units, stream: &mut Str
     if !(has_turns || is_complete) || units.are_slim(environment) {
         add(forms_in_two_parts(environment, &legs), stream);
     }
+    add_taste(units, &mut rows, &needs, stream);
+    // Stable: of equal points the earlier row comes first.
     rows.sort_by(|a, b| b.points.total_cmp(&a.points));
     rows
 }

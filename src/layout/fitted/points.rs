@@ -70,6 +70,21 @@ struct Window {
     to: f64,
 }
 
+/// How good a row is.
+pub(super) struct Merit {
+    /// Points for what a kitchen needs, less those for what is wrong with it.
+    pub(super) needs: f64,
+    /// Points for what planners like, less those for what they do not.
+    likes: f64,
+}
+
+impl Merit {
+    /// The sum that rows are compared by.
+    pub(super) fn points(&self) -> f64 {
+        self.needs + self.likes
+    }
+}
+
 /// What rows are judged by.
 pub(super) struct Judge<'a> {
     environment: &'a Environment<'a>,
@@ -88,34 +103,41 @@ impl<'a> Judge<'a> {
     }
 
     /// The points of a row in a form.
-    pub(super) fn points(&self, units: &Units, form: &Form, row: &Row) -> f64 {
-        let each = row.standings.iter().map(|standing| self.points_of_unit(units, standing));
+    pub(super) fn merit(&self, units: &Units, form: &Form, row: &Row) -> Merit {
+        let each = |points: fn(&Self, &Units, &Standing) -> f64| -> f64 {
+            row.standings.iter().map(|standing| points(self, units, standing)).sum()
+        };
         let outer = form.legs.iter().filter(|leg| self.room.walls[leg.wall].is_exterior).count();
         let parts = match (form.has_bar(), form.is_in_two_parts()) {
             (true, _) => BAR,
             (false, true) => -TWO_PARTS,
             (false, false) => 0.0,
         };
-        each.sum::<f64>() + between_points(units, form, row) + self.ends_points(units, form, row) + parts
-            - OUTER_WALL * outer as f64
+        let needs = each(Self::needs_of_unit) + between_points(units, form, row)
             - useless_points(form, row)
             - on_bar_points(units, row)
             - warmed_points(units, row)
-            - alone_points(units, row)
+            - alone_points(units, row);
+        let likes = each(Self::likes_of_unit) + self.ends_points(units, form, row) + parts
+            - OUTER_WALL * outer as f64;
+        Merit { needs, likes }
     }
 
-    fn points_of_unit(&self, units: &Units, standing: &Standing) -> f64 {
+    fn needs_of_unit(&self, units: &Units, standing: &Standing) -> f64 {
         let unit = units.unit(standing.unit);
-        // A kitchen that has room for a hob is there to cook, however small.
-        let value = match unit.part {
-            FittedPart::Filler => 0.0,
-            FittedPart::Hob | FittedPart::BesideSink => UNIT,
-            _ if unit.is_fill => FILL,
-            _ => UNIT,
-        };
-        let is_sink = unit.part == FittedPart::Sink;
+        let asked = if fills(unit) { 0.0 } else { UNIT };
+        asked - if self.takes_window(unit, standing) { BEFORE_WINDOW } else { 0.0 }
+    }
+
+    fn likes_of_unit(&self, units: &Units, standing: &Standing) -> f64 {
+        let unit = units.unit(standing.unit);
+        let filled = if fills(unit) && unit.part != FittedPart::Filler { FILL } else { 0.0 };
+        if unit.part != FittedPart::Sink {
+            return filled;
+        }
         let has_pipes = self.room.walls[standing.spot.wall].tags.iter().any(|tag| tag == PIPES_TAG);
-        value + self.window_points(unit, standing) + if is_sink && has_pipes { SINK_AT_PIPES } else { 0.0 }
+        let is_at_window = self.is_before_window(standing) && !self.takes_light(unit, standing);
+        filled + if has_pipes { SINK_AT_PIPES } else { 0.0 } + if is_at_window { SINK_AT_WINDOW } else { 0.0 }
     }
 
     /// Points for ends of rows at ends of stretches; a bar is better begun at a wall than in the open.
@@ -139,18 +161,16 @@ impl<'a> Judge<'a> {
         points
     }
 
-    fn window_points(&self, unit: &Unit, standing: &Standing) -> f64 {
-        if self.windows.is_empty() {
-            return 0.0;
-        }
+    fn is_before_window(&self, standing: &Standing) -> bool {
         let overlap = |window: &Window| window.to.min(standing.to()) - window.from.max(standing.from());
-        let is_behind = |window: &Window| window.wall == standing.spot.wall && overlap(window) > MEETS;
-        match unit.part {
-            _ if self.takes_light(unit, standing) => -BEFORE_WINDOW,
-            FittedPart::Hob if self.windows.iter().any(is_behind) => -BEFORE_WINDOW,
-            FittedPart::Sink if self.windows.iter().any(is_behind) => SINK_AT_WINDOW,
-            _ => 0.0,
-        }
+        self.windows.iter().any(|window| window.wall == standing.spot.wall && overlap(window) > MEETS)
+    }
+
+    /// Whether a unit takes the light of a window, or is a hob before one.
+    fn takes_window(&self, unit: &Unit, standing: &Standing) -> bool {
+        !self.windows.is_empty()
+            && (self.takes_light(unit, standing)
+                || unit.part == FittedPart::Hob && self.is_before_window(standing))
     }
 
     /// Whether a unit takes the light of a window, as the audit sees it: what is as low as a parapet does not, nor does a tap.
@@ -166,6 +186,15 @@ impl<'a> Judge<'a> {
         });
         let is_dark = |strip: &Solid| parts.iter().any(|part| strip.overlaps(part, CONTACT_TOLERANCE));
         surroundings.window_strips.iter().any(is_dark)
+    }
+}
+
+/// Whether a unit only fills what wall is left. A kitchen that has room for a hob is there to cook, however small.
+fn fills(unit: &Unit) -> bool {
+    match unit.part {
+        FittedPart::Filler => true,
+        FittedPart::Hob | FittedPart::BesideSink => false,
+        _ => unit.is_fill,
     }
 }
 

@@ -3,8 +3,9 @@
 //! One after the other, a bath takes the wall that the toilet needs, and a basin gets what is left, beside the door. Together
 //! they are compared as whole arrangements: all that [`crate::catalog::Class::is_joint`] names are placed in the order of their priority, each
 //! arrangement so far in several ways, and the best arrangements go on (a beam search). Points are those of the usual search,
-//! with the walls that the classes like (docs/fixtures.md). Where none of the places of a piece is good, what may stand in for it is
-//! compared too: a tub under the window in place of a tray between open sides. A piece without a place in the best arrangement
+//! with the walls that the classes like (docs/fixtures.md). What may stand in for a piece is compared too: a tub under the window in
+//! place of a tray between open sides. At the end taste moves the points of the arrangements, so that of those that are nearly as
+//! good each has seeds that choose it. A piece without a place in the best arrangement
 //! searches by itself.
 
 mod niche;
@@ -31,6 +32,11 @@ const ALIKE: usize = 4;
 /// Points by which chance moves a place: of places that are equally good a seed takes one. Larger: more variety, and fixtures
 /// at walls that they like less.
 const CHANCE: f64 = 0.5;
+/// Points by which taste moves a whole arrangement, at most: as much as a smaller size loses, less than what is tight, dark or out of
+/// place. Larger: more arrangements of a room, and then faults that others do not have.
+const TASTE: f64 = 4.0;
+/// Metres by which a piece of two arrangements may stand apart where the two are one to people.
+const SAME_PLACE: f64 = 0.4;
 /// Points lost for a piece without a place, required or not: more than all walls and wishes give together.
 const MISSED: f64 = 30.0;
 const MISSED_REQUIRED: f64 = 100.0;
@@ -105,6 +111,7 @@ pub(crate) fn settle_jointly(environment: &mut Environment<'_>, key: &RoomKey) {
         arrangements.sort_by(|a, b| b.points.total_cmp(&a.points));
         arrangements = unlike(environment, arrangements);
     }
+    arrangements = by_taste(environment, arrangements, &mut stream);
     if let Some(chosen) = at_turn(environment, &arrangements) {
         stand(environment, chosen);
         chosen.standings.iter().for_each(|standing| niche::fill_niche(environment, standing.agent));
@@ -140,6 +147,40 @@ fn unlike(environment: &Environment<'_>, best_first: Vec<Arrangement>) -> Vec<Ar
     kept.into_iter().map(|(arrangement, _)| arrangement).collect()
 }
 
+/// Moves the points of whole arrangements by taste, those that are one to people alike, and sorts them again.
+fn by_taste(
+    environment: &Environment<'_>,
+    best_first: Vec<Arrangement>,
+    stream: &mut Stream,
+) -> Vec<Arrangement> {
+    let mut tastes: Vec<(Arrangement, f64)> = Vec::new();
+    let mut arrangements = best_first;
+    for arrangement in &mut arrangements {
+        let known = tastes.iter().find(|(other, _)| is_one(environment, other, arrangement));
+        let taste = known.map(|(_, taste)| *taste).unwrap_or_else(|| {
+            let taste = TASTE * stream.unit();
+            tastes.push((arrangement.clone(), taste));
+            taste
+        });
+        arrangement.points += taste;
+    }
+    // Stable: of equal points the earlier one comes first.
+    arrangements.sort_by(|a, b| b.points.total_cmp(&a.points));
+    arrangements
+}
+
+/// Whether the same pieces stand at the same walls in two arrangements, and each nearly in the same place.
+fn is_one(environment: &Environment<'_>, one: &Arrangement, other: &Arrangement) -> bool {
+    let pairs = || one.standings.iter().zip(&other.standings);
+    one.standings.len() == other.standings.len()
+        && pairs().all(|(a, b)| {
+            let class = |standing: &Standing| environment.agents[standing.agent].piece.class;
+            class(a) == class(b)
+                && a.place.parent == b.place.parent
+                && a.place.pose.position.distance(b.place.pose.position) < SAME_PLACE
+        })
+}
+
 /// The best arrangement; a later attempt at the room takes the best of another outline, for something was wrong with the
 /// first.
 fn at_turn<'a>(environment: &Environment<'_>, best_first: &'a [Arrangement]) -> Option<&'a Arrangement> {
@@ -164,13 +205,12 @@ fn go_on(
 ) -> Vec<Arrangement> {
     stand(environment, begun);
     let mut ways = ways_in_all_sizes(environment, agent, stream);
-    if ways.iter().all(|way| way.is_poor) {
-        for substitute in joint_substitutes(environment, agent) {
-            let mut others = ways_in_all_sizes(environment, substitute, stream);
-            others.retain(|way| !way.is_poor);
-            others.iter_mut().for_each(|way| way.points -= STAND_IN);
-            ways.extend(others);
-        }
+    // Where none of its places is good, and where all are: the toilet may have no good one beside a tub that has.
+    for substitute in joint_substitutes(environment, agent) {
+        let mut others = ways_in_all_sizes(environment, substitute, stream);
+        others.retain(|way| !way.is_poor);
+        others.iter_mut().for_each(|way| way.points -= STAND_IN);
+        ways.extend(others);
     }
     if ways.is_empty() {
         ways = places_of_smallest(environment, agent, stream);

@@ -192,6 +192,50 @@ fn where_no_corner_has_room_for_a_tray_a_tub_that_fits_one_stands_in_for_it() {
     }
 }
 
+/// The catalogue with bathrooms that ask for one class of what bathes, for which others may stand in.
+fn with_bathing(class: &str, substitutes: &[&str]) -> Catalog {
+    let mut catalog = load_catalog(&[]).unwrap().value;
+    let index = |id: &str| catalog.class_index(id).unwrap();
+    let (class, substitutes) = (index(class), substitutes.iter().map(|id| index(id)).collect::<Vec<_>>());
+    let bathes = |class: usize| catalog.classes[class].groups.iter().any(|group| group == "bathing");
+    let bathing: Vec<bool> = (0..catalog.classes.len()).map(bathes).collect();
+    for request in &mut catalog.room_types.get_mut("bathroom").unwrap().programme {
+        if bathing[request.classes[0]] {
+            (request.classes, request.substitutes) = (vec![class], substitutes.clone());
+        }
+    }
+    catalog
+}
+
+#[test]
+fn a_shower_stands_in_for_a_tub_that_would_take_the_place_of_the_basin() {
+    let catalog = with_bathing("bathtub", &["small_shower"]);
+    for seed in SEEDS {
+        let furnished = run(&bathroom(1.7, 2.2, &[]), &catalog, seed);
+        for group in ["wc", "washing", "bathing"] {
+            assert!(placement(&catalog, &furnished, group).is_some(), "{group}, seed {seed}");
+        }
+    }
+}
+
+#[test]
+fn of_arrangements_that_are_nearly_as_good_each_has_seeds_that_choose_it() {
+    let catalog = with_bathing("shower", &[]);
+    let walls = |seed: u64| {
+        let furnished = run(&bathroom(1.9, 2.2, &[]), &catalog, seed);
+        ["wc", "washing", "bathing"]
+            .map(|group| placement(&catalog, &furnished, group).map(|piece| piece.parent))
+    };
+    let mut found = Vec::new();
+    for seed in 0..24 {
+        let walls = walls(seed);
+        if !found.contains(&walls) {
+            found.push(walls);
+        }
+    }
+    assert!(found.len() > 1, "{found:?}");
+}
+
 #[test]
 fn a_bed_for_one_has_a_long_side_at_a_wall() {
     let catalog = load_catalog(&[]).unwrap().value;
