@@ -7,6 +7,8 @@ const LINES: usize = 64;
 /// Share of the longest line that those beside it have while the room is as wide there: an apse or the foot of a tower at an end takes
 /// less of them.
 const LONG: f64 = 0.8;
+/// How many times as long as the other axis one is, where people look along it wherever they come in.
+const CLEARLY_LONGER: f64 = 1.2;
 /// Metres by which one length must be more than another to count as longer: no last digit decides.
 const LONGER: f64 = 1e-3;
 
@@ -20,7 +22,7 @@ const LONGER: f64 = 1e-3;
 ///          +-----+
 /// ```
 #[must_use]
-pub fn long_axis(edges: &[Segment], along: Point) -> Option<Segment> {
+fn long_axis(edges: &[Segment], along: Point) -> Option<Segment> {
     let across = along.perp();
     let ends = edges.iter().flat_map(|edge| [edge.start.dot(across), edge.end.dot(across)]);
     let (low, high) =
@@ -41,6 +43,18 @@ pub fn long_axis(edges: &[Segment], along: Point) -> Option<Segment> {
     let middle = at(f64::midpoint(first as f64, last as f64));
     let (from, to) = chord(edges, along, middle);
     (to > from).then(|| Segment::new(across * middle + along * from, across * middle + along * to))
+}
+
+/// The axis along which people look in a room: the longer of those along a direction and across it, or, of two that are about as long, the
+/// one with an end nearer to where they come in, from which `gap` gives the metres of a place.
+#[must_use]
+pub fn main_axis(edges: &[Segment], along: Point, gap: impl Fn(Point) -> f64) -> Option<Segment> {
+    let (along, across) = (long_axis(edges, along)?, long_axis(edges, along.perp())?);
+    let nearest = |axis: Segment| gap(axis.start).min(gap(axis.end));
+    let (longer, other) =
+        if across.length() > along.length() + LONGER { (across, along) } else { (along, across) };
+    let is_clear = longer.length() > CLEARLY_LONGER * other.length();
+    Some(if is_clear || nearest(longer) <= nearest(other) + LONGER { longer } else { other })
 }
 
 /// The longest part of a line inside, from and to along it.

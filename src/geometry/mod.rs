@@ -20,7 +20,7 @@ pub(crate) use disjoint_sets::DisjointSets;
 pub use extent::{Side, Size};
 pub use grid::Grid;
 pub use interval::Intervals;
-pub use long_axis::long_axis;
+pub use long_axis::main_axis;
 pub use polygon::{CORNER_TOLERANCE, Polygon, PolygonFault, Region, ring_contains, signed_area};
 pub use segment::{Line, Segment, distance_of_convex, distance_to_convex, edges};
 pub use solid::Solid;

@@ -1,11 +1,8 @@
 //! The long axis of a room, from the end where people come in to the end that they look at.
 
 use super::{Opening, OpeningKind, Room};
-use crate::geometry::{Point, Segment, long_axis};
+use crate::geometry::{Point, Segment, main_axis};
 
-/// How many times as long as the axis across the longer one is, where it is the axis whatever the doors say: a room that is nearly
-/// square is looked along from its door.
-const CLEARLY_LONGER: f64 = 1.2;
 /// Metres by which one length must be more than another to count as longer: no last digit decides.
 const LONGER: f64 = 1e-3;
 
@@ -17,16 +14,9 @@ impl Room {
         let edges: Vec<Segment> = self.region.borders().collect();
         let longest =
             edges.iter().copied().reduce(|a, b| if b.length() > a.length() + LONGER { b } else { a })?;
-        let along = longest.direction();
-        let (along, across) = (long_axis(&edges, along)?, long_axis(&edges, along.perp())?);
         let doors: Vec<Point> = self.doors(openings).collect();
         let gap = |end: Point| doors.iter().map(|door| door.distance(end)).fold(f64::INFINITY, f64::min);
-        let nearest_door = |axis: Segment| gap(axis.start).min(gap(axis.end));
-        let (longer, other) =
-            if across.length() > along.length() + LONGER { (across, along) } else { (along, across) };
-        let is_clear = longer.length() > CLEARLY_LONGER * other.length();
-        let axis =
-            if is_clear || nearest_door(longer) <= nearest_door(other) + LONGER { longer } else { other };
+        let axis = main_axis(&edges, longest.direction(), gap)?;
         Some(if gap(axis.start) > gap(axis.end) + LONGER { axis.reversed() } else { axis })
     }
 

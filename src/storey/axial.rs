@@ -1,6 +1,6 @@
 //! Rooms that people look along, such as churches: they come in at one end and look to the other.
 
-use crate::geometry::{Point, Segment, edges, long_axis};
+use crate::geometry::{Point, Segment, edges, main_axis};
 
 use super::dwelling::Port;
 use super::faces::Partition;
@@ -9,8 +9,6 @@ use super::links::Entry;
 use super::ring::area;
 use super::spine::Ground;
 
-/// How many times as long as the other axis of a room one is, where it is looked along whatever is before its ends.
-const CLEARLY_LONGER: f64 = 1.2;
 /// Cosines between a wall and the axis from which and up to which it is a slanted one, as of an apse.
 const SLANTED: (f64, f64) = (0.2, 0.97);
 /// Share of the axis behind which a slanted wall is one of its end.
@@ -30,13 +28,9 @@ pub(super) fn axis(ground: &Ground, partition: &Partition<'_>, room: usize) -> O
     let cell = &partition.cells[room];
     partition.typologies.rooms.get(&cell.room_type).filter(|needs| needs.axial)?;
     let walls: Vec<Segment> = edges(&cell.ring).collect();
-    let (along, across) = (long_axis(&walls, Point::X)?, long_axis(&walls, Point::Y)?);
     let street = outer_port(ground).map(|port| port.at);
     let gap = |end: Point| street.map_or(0.0, |street| street.distance(end));
-    let nearest = |axis: Segment| gap(axis.start).min(gap(axis.end));
-    let (longer, other) = if across.length() > along.length() { (across, along) } else { (along, across) };
-    let is_clear = longer.length() > CLEARLY_LONGER * other.length();
-    let axis = if is_clear || nearest(longer) <= nearest(other) { longer } else { other };
+    let axis = main_axis(&walls, Point::X, gap)?;
     let (before, behind) = (slanted(&walls, axis.reversed()), slanted(&walls, axis));
     let is_reversed =
         if (before - behind).abs() > APSE { before > behind } else { gap(axis.start) > gap(axis.end) };
