@@ -22,6 +22,7 @@ pub use grid::Grid;
 pub use interval::Intervals;
 pub use long_axis::main_axis;
 pub use polygon::{CORNER_TOLERANCE, Polygon, PolygonFault, Region, ring_contains, signed_area};
+pub(crate) use segment::ray_hit;
 pub use segment::{Line, Segment, distance_of_convex, distance_to_convex, edges};
 pub use solid::Solid;
 

@@ -160,6 +160,18 @@ pub fn distance_of_convex(ring: &[Point], other: &[Point]) -> f64 {
     least(ring, other).min(least(other, ring))
 }
 
+/// Lengths of a direction along a ray to a segment; `None` where it does not meet it, or is parallel.
+pub(crate) fn ray_hit(origin: Point, direction: Point, segment: Segment) -> Option<f64> {
+    let (edge, to_start) = (segment.vector(), segment.start - origin);
+    let cross = direction.perp_dot(edge);
+    if cross == 0.0 {
+        return None;
+    }
+    let distance = to_start.perp_dot(edge) / cross;
+    let share = to_start.perp_dot(direction) / cross;
+    ((0.0..=1.0).contains(&share) && distance >= 0.0).then_some(distance)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

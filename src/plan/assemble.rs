@@ -31,7 +31,6 @@ mod walls;
 pub(super) use alike::Storeys;
 use free::OpeningIds;
 pub(super) use index::{BoxIndex, LooseIndex, OutlineIndex, WallIndex, WallPlace};
-pub(super) use walls::ray_hit;
 
 /// Metres from floor to floor where a draft names no usable height.
 const USUAL_LEVEL_HEIGHT: f64 = 3.0;

@@ -85,12 +85,8 @@ pub(super) fn open_plan(
             let is_first = index == 0 && part == 0;
             let services = if is_first { all.clone() } else { all[..usize::from(has_stairs)].to_vec() };
             let whole = || vec![Cell::shared(ring.clone(), main)];
-            let cut = if services.is_empty() {
-                Some(whole())
-            } else {
-                let end = End { services: &services, has_stairs, typologies, is_careful: way.is_careful };
-                part_cells(&ground.part(ring.clone()), end, main)
-            };
+            let end = End { services: &services, has_stairs, typologies, is_careful: way.is_careful };
+            let cut = part_cells(&ground.part(ring.clone()), end, main);
             // Other parts are reached through the first, where they have no place for stairs.
             cells.extend(cut.or_else(|| (!is_first).then(whole))?);
         }
@@ -109,7 +105,7 @@ pub(super) fn large_rooms(
     let services: &[(&str, f64)] = if has_stairs { &[("stairs", STAIRS)] } else { &[] };
     let end = End { services, has_stairs, typologies, is_careful: true };
     let cells = |ring: Ring| {
-        let cut = if has_stairs { part_cells(&ground.part(ring.clone()), end, room_type) } else { None };
+        let cut = part_cells(&ground.part(ring.clone()), end, room_type);
         cut.unwrap_or_else(|| vec![Cell::shared(ring, room_type)])
     };
     sections(ground, ground.ring.clone(), count).into_iter().flat_map(cells).collect()

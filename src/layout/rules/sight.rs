@@ -1,7 +1,7 @@
 //! What pieces see: a stage, a screen, an altar; and the part of the room that lies before it.
 
 use crate::catalog::{ParentName, Relation, RelationKind};
-use crate::geometry::{Point, Segment};
+use crate::geometry::{Point, Segment, ray_hit};
 use crate::layout::environment::Environment;
 use crate::layout::place::AgentIndex;
 
@@ -42,8 +42,8 @@ pub(super) fn watched(view: &View<'_>) -> Option<Watched> {
     let borders = &view.environment.brief.surroundings.borders;
     view.environment.count_steps((2 * LINES * borders.len() / BORDERS_A_STEP) as u64);
     let reach = |from: Point, way: Point| {
-        let hits = borders.iter().filter_map(|border| hit(from, way, border.segment));
-        hits.reduce(f64::min).unwrap_or_default()
+        let hits = borders.iter().filter_map(|border| ray_hit(from, way, border.segment));
+        hits.filter(|&metres| metres > 0.0).reduce(f64::min).unwrap_or_default()
     };
     let depth = reach(position, front);
     let at = |line: usize| position + front * (depth * (line as f64 + 0.5) / LINES as f64);
@@ -71,15 +71,6 @@ fn first_seen(environment: &Environment<'_>, wish: &Relation) -> Option<AgentInd
         (ParentName::Classes(classes), RelationKind::Sees) => environment.resting_of(classes).next(),
         _ => None,
     }
-}
-
-/// Metres from a point to a segment that lies in a direction from it.
-fn hit(from: Point, way: Point, segment: Segment) -> Option<f64> {
-    let (edge, to_start) = (segment.vector(), segment.start - from);
-    let cross = way.perp_dot(edge);
-    let (distance, share) = (to_start.perp_dot(edge) / cross, to_start.perp_dot(way) / cross);
-    // Parallel lines give no number.
-    (cross != 0.0 && (0.0..=1.0).contains(&share) && distance > 0.0).then_some(distance)
 }
 
 #[cfg(test)]

@@ -1,8 +1,7 @@
 //! Tags walls by their properties (the paper's section 4), besides the tags of the plan.
 
-use super::walls::ray_hit;
 use super::{Assembly, WallIndex};
-use crate::geometry::{CORNER_TOLERANCE, Point};
+use crate::geometry::{CORNER_TOLERANCE, Point, ray_hit};
 use crate::plan::{Opening, OpeningKind, PIPES_TAG, Room, Wall, WallKind};
 
 /// Metres that a ray to the opposite wall starts inside the room.

@@ -1,7 +1,7 @@
 //! Finds what is behind each wall: thickness, open air, railings.
 
 use super::index::{OutlineIndex, WallIndex, WallPlace};
-use crate::geometry::{Bounds, Point, Polygon, Region, Segment};
+use crate::geometry::{Bounds, Point, Polygon, Region, Segment, ray_hit};
 use crate::plan::{LevelDraft, Room, Wall, WallKind};
 
 /// A neighbouring room is looked for this many metres behind a wall; thicker inner walls count as outer ones.
@@ -113,18 +113,6 @@ fn backing_of(rooms: &[Room], index: &WallIndex, place: WallPlace) -> Backing {
 fn ray_origins(wall: &Wall) -> Vec<Point> {
     let count = (wall.length() / RAY_INTERVAL).ceil().clamp(3.0, 400.0) as usize;
     (0..count).map(|i| wall.start.lerp(wall.end, (i as f64 + 0.5) / count as f64)).collect()
-}
-
-/// Metres along a ray to a segment.
-pub(in crate::plan) fn ray_hit(origin: Point, direction: Point, segment: Segment) -> Option<f64> {
-    let (edge, to_start) = (segment.vector(), segment.start - origin);
-    let cross = direction.perp_dot(edge);
-    if cross == 0.0 {
-        return None;
-    }
-    let distance = to_start.perp_dot(edge) / cross;
-    let share = to_start.perp_dot(direction) / cross;
-    ((0.0..=1.0).contains(&share) && distance >= 0.0).then_some(distance)
 }
 
 /// Metres of solid wall that the drawing shows behind the middle of a wall.

@@ -1,8 +1,8 @@
 //! Finds open boundaries, which a drawing shows by leaving out the wall.
 
 use super::Request;
-use crate::geometry::{Bounds, Point};
-use crate::plan::assemble::{OutlineIndex, WallIndex, WallPlace, ray_hit};
+use crate::geometry::{Bounds, Point, ray_hit};
+use crate::plan::assemble::{OutlineIndex, WallIndex, WallPlace};
 use crate::plan::{OpeningKind, Room, Wall, WallKind};
 
 /// Two room edges this close in metres have no wall between them.

@@ -101,10 +101,8 @@ fn mended(points: &[Point]) -> Option<Ring> {
 /// Whether edges of a ring cross each other more often than this.
 fn has_more_crossings(points: &[Point], most: usize) -> bool {
     let all: Vec<Segment> = edges(points).collect();
-    let are_crossing = |one: Segment, other: Segment| {
-        let parts = |line: Segment, of: Segment| line.side(of.start) * line.side(of.end) < 0.0;
-        one.bounds().touches(other.bounds()) && parts(one, other) && parts(other, one)
-    };
+    let are_crossing =
+        |one: Segment, other: Segment| one.bounds().touches(other.bounds()) && one.crosses(other);
     let later = |index: usize| all[index + 1..].iter().map(move |other| (index, *other));
     let crossings = (0..all.len()).flat_map(later).filter(|&(index, other)| are_crossing(all[index], other));
     crossings.take(most + 1).count() > most

@@ -1,8 +1,8 @@
 //! Measures how thick the outer walls of a storey are drawn, for those of its outer walls that are not.
 
 use super::level::Storey;
-use crate::geometry::{Bounds, Point, Segment, edges, ring_contains, signed_area};
-use crate::plan::assemble::{BoxIndex, ray_hit};
+use crate::geometry::{Bounds, Point, Segment, edges, ray_hit, ring_contains, signed_area};
+use crate::plan::assemble::BoxIndex;
 
 /// Metres of the thickest wall that is measured, and of the thinnest.
 const THICKEST: f64 = 0.8;
