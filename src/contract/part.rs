@@ -28,6 +28,8 @@ pub enum Part {
     Socket,
     /// A light switch on a wall.
     Switch,
+    /// Steps up to the next level, and the balustrade around those from below.
+    Stairs,
     /// The floor below an opening.
     Threshold,
     /// Around a door or a window.
@@ -42,7 +44,7 @@ pub enum Part {
 
 impl Part {
     /// All kinds.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Floor,
         Self::Ceiling,
         Self::Wall,
@@ -51,6 +53,7 @@ impl Part {
         Self::Column,
         Self::Socket,
         Self::Switch,
+        Self::Stairs,
         Self::Threshold,
         Self::Frame,
         Self::Leaf,
@@ -70,6 +73,7 @@ impl Part {
             Self::Column => "column",
             Self::Socket => "socket",
             Self::Switch => "switch",
+            Self::Stairs => "stairs",
             Self::Threshold => "threshold",
             Self::Frame => "frame",
             Self::Leaf => "leaf",

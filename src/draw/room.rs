@@ -3,7 +3,7 @@
 use crate::catalog::Catalog;
 use crate::geometry::{Bounds, Point, Segment};
 use crate::layout::{Furnished, Parent};
-use crate::plan::{Level, OpeningSide, Room, SitePlacement};
+use crate::plan::{Level, OpeningSide, Room, SitePlacement, Stairs};
 
 use super::canvas::{Canvas, MARGIN_LEFT, TextStyle};
 use super::{Drawing, MARGIN, furniture, shell};
@@ -160,6 +160,11 @@ fn alone(level: &Level, room: usize) -> Level {
         height: level.height,
         rooms: vec![with_thickness(level, room)].into(),
         openings: openings.collect(),
+        stairs: level
+            .stairs_of(room)
+            .map(|stairs| Stairs { room: 0, ..stairs.clone() })
+            .into_iter()
+            .collect(),
         left_out: Vec::new(),
         digest: level.digest,
     }

@@ -1,7 +1,7 @@
 //! Draws walls, floors and openings.
 
 use crate::geometry::Point;
-use crate::plan::{Level, Opening, OpeningKind, Room, Wall, WallKind};
+use crate::plan::{Level, Opening, OpeningKind, Room, STAIRS_ROOM_TYPE, Stairs, Wall, WallKind};
 
 use super::Drawing;
 use super::canvas::Canvas;
@@ -22,8 +22,10 @@ pub(crate) const DASHES: &str = "stroke=\"#999\" stroke-width=\"1\" stroke-dasha
 
 const TREAD_LINE: &str = "stroke=\"#777\" stroke-width=\"0.5\"";
 
-/// The room type of staircases, and metres of a tread.
-const STAIRS: &str = "stairs";
+/// The way up stairs, and metres of half of its arrow's width.
+const WALKING_LINE: &str = "stroke=\"#1c1c1c\" stroke-width=\"0.8\"";
+const ARROW: f64 = 0.08;
+/// Metres of a tread of stairs of which only the room is known.
 const TREAD: f64 = 0.28;
 
 /// Metres that a gap reaches beyond the faces of its wall, so that no sliver of wall remains.
@@ -52,7 +54,7 @@ fn wall_body(wall: &Wall) -> [Point; 4] {
 
 /// All floors; rooms that are not furnished are hatched.
 pub(crate) fn draw_floors(canvas: &mut Canvas, drawing: &Drawing<'_>) {
-    for room in &drawing.level.rooms {
+    for (index, room) in drawing.level.rooms.iter().enumerate() {
         let outline = room.region.outline.corners();
         let holes = room.region.holes.iter().map(crate::geometry::Polygon::corners);
         let rings: Vec<&[Point]> = std::iter::once(outline).chain(holes).collect();
@@ -60,15 +62,38 @@ pub(crate) fn draw_floors(canvas: &mut Canvas, drawing: &Drawing<'_>) {
             &rings,
             if is_furnished(drawing, room) || is_stairs(room) { FLOOR } else { UNFURNISHED },
         );
-        if is_stairs(room) {
-            draw_treads(canvas, room);
+        match drawing.level.stairs_of(index) {
+            Some(stairs) => draw_stairs(canvas, stairs),
+            None if is_stairs(room) => draw_treads(canvas, room),
+            None => {}
+        }
+    }
+}
+
+/// The steps up, with the way that one walks; where none lead up, those that come from below.
+fn draw_stairs(canvas: &mut Canvas, stairs: &Stairs) {
+    let (opening, nosings) = match (&stairs.up, &stairs.well) {
+        (Some(flight), _) => (&flight.opening, flight.nosings()),
+        (None, Some(well)) => (&well.opening, well.nosings.clone()),
+        (None, None) => return,
+    };
+    opening.edges().for_each(|edge| canvas.line(edge.start, edge.end, TREAD_LINE));
+    nosings.iter().for_each(|edge| canvas.line(edge.start, edge.end, TREAD_LINE));
+    let middles: Vec<Point> = nosings.iter().map(|edge| edge.middle()).collect();
+    middles.windows(2).for_each(|step| canvas.line(step[0], step[1], WALKING_LINE));
+    // An arrow at the upper end.
+    if let [.., before, last] = middles[..]
+        && let Some(along) = (last - before).try_normalize()
+    {
+        for side in [along.perp(), -along.perp()] {
+            canvas.line(last, last + (side - along * 1.5) * ARROW, WALKING_LINE);
         }
     }
 }
 
 /// Whether people climb in it: a rectangle of that type.
 pub(crate) fn is_stairs(room: &Room) -> bool {
-    room.room_type == STAIRS && room.region.outline.corners().len() == 4
+    room.room_type == STAIRS_ROOM_TYPE && room.region.outline.corners().len() == 4
 }
 
 /// Steps across the longer side of a room, in two flights.

@@ -9,7 +9,7 @@ use super::attach::{
 use super::clean::to_simple;
 use super::digest::level_digest;
 use super::limits::{COORDINATE, LEVEL_OPENINGS, STOREY_HEIGHT, WALL_THICKNESS};
-use super::{LeafDraft, Level, LevelDraft, Opening, OpeningKind, Problem, Room, Subject};
+use super::{LeafDraft, Level, LevelDraft, Opening, OpeningKind, Problem, Room, Shared, Subject};
 
 mod alike;
 mod extents;
@@ -105,6 +105,7 @@ pub fn assemble_level(mut draft: LevelDraft) -> (Level, Vec<Problem>) {
         height,
         rooms: rooms.into(),
         openings: openings.into(),
+        stairs: Shared::default(),
         left_out: Vec::new(),
         digest: [0; 32],
     };

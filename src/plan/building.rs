@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::shared::Shared;
+use super::stairs::Stairs;
 use crate::geometry::{Point, Polygon, Region, Segment};
 
 /// All buildings of one run, in the order in which they were named.
@@ -73,6 +74,8 @@ pub struct Level {
     pub rooms: Shared<Room>,
     /// Doors, windows, passages and open boundaries; ids are unique in the level.
     pub openings: Shared<Opening>,
+    /// The steps that lead up from here and come up to here, by room; of rooms of stairs that stand on each other.
+    pub stairs: Shared<Stairs>,
     /// Faulty parts of the plan that the level lacks, in words; empty where nothing was left out.
     pub left_out: Vec<String>,
     /// SHA-256 of everything above but `left_out`: equal for equal levels, whatever file they came from.
@@ -154,6 +157,13 @@ pub enum WallKind {
 }
 
 impl Level {
+    /// What leads up and down in a room, by its index.
+    #[must_use]
+    pub fn stairs_of(&self, room: usize) -> Option<&Stairs> {
+        let found = self.stairs.binary_search_by_key(&room, |stairs| stairs.room);
+        found.ok().map(|index| &self.stairs[index])
+    }
+
     /// A level of rooms without openings, at the building's zero; rooms are numbered in their order. Metres.
     #[must_use]
     pub fn bare(id: &str, height: f64, mut rooms: Vec<Room>) -> Self {
@@ -167,6 +177,7 @@ impl Level {
             height,
             rooms: rooms.into(),
             openings: Shared::default(),
+            stairs: Shared::default(),
             left_out: Vec::new(),
             digest: [0; 32],
         }

@@ -13,7 +13,7 @@ mod untangle;
 
 pub(super) use holes::{HoleFault, clean_region, separate_holes};
 pub(super) use surface::{largest_part, to_line, to_polygon, to_simple};
-pub(crate) use surface::{ring_surface, to_points, to_surface};
+pub(crate) use surface::{region_without, ring_surface, to_points, to_surface};
 pub(super) use untangle::untangled;
 
 /// Corners closer than this many metres become one: surveyors' noise, too small for any wall.

@@ -2,11 +2,11 @@
 
 use sha2::{Digest, Sha256};
 
-use super::{Level, Obstacle, Opening, Room, Wall, WallKind};
+use super::{Level, Obstacle, Opening, Room, Stairs, Wall, WallKind};
 use crate::geometry::{Point, Polygon};
 
 /// Changes whenever the byte form below does, so that old fingerprints never match by chance.
-const FORM: &str = "roomwright level 3";
+const FORM: &str = "roomwright level 4";
 
 /// SHA-256 of everything in the level but its `digest` and what was left out of it.
 ///
@@ -20,6 +20,7 @@ pub(super) fn level_digest(level: &Level) -> [u8; 32] {
     form.number(level.height);
     form.list(&level.rooms, Form::room);
     form.list(&level.openings, Form::opening);
+    form.list(&level.stairs, Form::stairs);
     form.0.finalize().into()
 }
 
@@ -100,6 +101,34 @@ impl Form {
     fn obstacle(&mut self, obstacle: &Obstacle) {
         self.polygon(&obstacle.outline);
         self.number(obstacle.height);
+    }
+
+    fn stairs(&mut self, stairs: &Stairs) {
+        self.count(stairs.room);
+        self.list(stairs.up.as_slice(), |form, flight| {
+            form.list(&flight.steps, |form, step| {
+                form.list(&step.corners, |form, &corner| form.point(corner));
+                form.number(step.top);
+                form.number(step.rise);
+                form.count(usize::from(step.is_landing));
+            });
+            form.polygon(&flight.opening);
+            form.list(&flight.handrails, |form, rail| {
+                form.list(rail, |form, point| {
+                    form.point(point.at);
+                    form.number(point.foot);
+                });
+            });
+        });
+        self.list(stairs.well.as_slice(), |form, well| {
+            form.polygon(&well.opening);
+            for edges in [&well.guards, &well.nosings] {
+                form.list(edges, |form, edge| {
+                    form.point(edge.start);
+                    form.point(edge.end);
+                });
+            }
+        });
     }
 
     fn opening(&mut self, opening: &Opening) {

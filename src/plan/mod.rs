@@ -28,6 +28,7 @@ mod room_ref;
 mod sample;
 mod shared;
 mod site_origin;
+mod stairs;
 mod units;
 mod words;
 mod write_native;
@@ -41,7 +42,7 @@ pub use building::{
 };
 #[cfg(test)]
 pub(crate) use building::{HANDLE_LENGTH, HANDLE_REACH};
-pub(crate) use clean::{ring_surface, to_points, to_surface};
+pub(crate) use clean::{region_without, ring_surface, to_points, to_surface};
 pub use draft::{
     BuildingDraft, LeafDraft, LevelDraft, ObstacleDraft, OpeningDraft, OpeningPlace, OutlineKind, Problem,
     RoomDraft, Subject,
@@ -61,6 +62,8 @@ pub use report::{BuildingReport, InputReport, LevelReport, Share};
 pub use room_ref::RoomRef;
 pub use shared::Shared;
 pub use site_origin::{EarthPlace, SiteOrigin};
+pub use stairs::{Flight, RailPoint, Stairs, Step, Well};
+pub(crate) use stairs::{STAIRS_ROOM_TYPE, joined_rooms, middle, neighbours};
 pub(crate) use units::{ECCENTRICITY_SQUARED, EQUATOR_RADIUS};
 pub use words::{GENERIC_ROOM_TYPE, RoomWords};
 pub use write_native::write_native;

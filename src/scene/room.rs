@@ -31,8 +31,13 @@ pub(crate) fn room_node<'a>(
     let mut node = Node::at(room_name(&room.id), &ROOM_POSE, None, extras);
     let is_merged = input.options.parts == Parts::Merged;
     let worktops = worktops(input.catalog, furnished);
-    node.children =
-        room_parts(storey, room, finish, &Equipment { look, is_merged, worktops: &worktops }, meshes);
+    node.children = room_parts(
+        storey,
+        furnished.room,
+        finish,
+        &Equipment { look, is_merged, worktops: &worktops },
+        meshes,
+    );
     node.children.extend(furniture(input, furnished, &room.id, look, meshes));
     node
 }

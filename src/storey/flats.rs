@@ -51,6 +51,11 @@ const LOFT_BATH: f64 = 5.5;
 const FLAT_HALL_WIDTH: f64 = 1.37;
 /// Pieces that one cut through a storey may leave: three at an arm of it.
 const MOST_PIECES: usize = 3;
+/// The shares of a border with the stairs at which a flat may have its way in, and what the others cost: the doors of all flats
+/// are at one landing, away from the light, so that the stairs have the floor between.
+const WAYS_IN: [f64; 3] = [0.85, 0.15, 0.5];
+/// See [`WAYS_IN`].
+const OTHER_WAYS: [f64; 3] = [0.0, 6.0, 9.0];
 /// The cost of a flat that is good enough: no other is looked for.
 const GOOD_FLAT: f64 = 5.0;
 
@@ -394,8 +399,13 @@ fn flats_at(ground: &Ground, core: Core, kind: Kind<'_>, stream: &mut Stream) ->
         (!kind.hopeless.knows(&floor)).then_some((border, flat, floor))
     };
     let flats: Vec<(Segment, Ground, Floor)> = core.flats.into_iter().map(flat).collect::<Option<_>>()?;
+    let light = longest(ground.light(&core.stairs)).map(Segment::middle);
     for (number, (border, flat, floor)) in flats.into_iter().enumerate() {
-        let rooms = kind.hopeless.unless_known(floor, || best_flat(&flat, border, kind, stream))?;
+        let ways = match light {
+            Some(light) if border.start.distance(light) < border.end.distance(light) => [0.15, 0.85, 0.5],
+            _ => WAYS_IN,
+        };
+        let rooms = kind.hopeless.unless_known(floor, || best_flat(&flat, (border, ways), kind, stream))?;
         cells.extend(rooms.into_iter().map(|cell| Cell { unit: Some(number), ..cell }));
     }
     Some(cells)
@@ -408,16 +418,22 @@ pub(super) fn flat_at(
     kind: Kind<'_>,
     stream: &mut Stream,
 ) -> Option<Vec<Cell>> {
-    kind.hopeless.unless_known(kind.floor(flat, border), || best_flat(flat, border, kind, stream))
+    kind.hopeless.unless_known(kind.floor(flat, border), || best_flat(flat, (border, WAYS_IN), kind, stream))
 }
 
-fn best_flat(flat: &Ground, border: Segment, kind: Kind<'_>, stream: &mut Stream) -> Option<Vec<Cell>> {
+/// The best flat with its way in at one of some shares of a border, rather the first.
+fn best_flat(
+    flat: &Ground,
+    (border, ways_in): (Segment, [f64; 3]),
+    kind: Kind<'_>,
+    stream: &mut Stream,
+) -> Option<Vec<Cell>> {
     let Kind { brief, typologies, .. } = kind;
     let programmes = typologies.programmes.get(brief.typology.programme.as_deref()?)?;
     let floor = area(&flat.ring);
     let margin = 0.75f64.min(border.length() / 2.0);
-    let shares = [0.85, 0.5, 0.15]
-        .map(|share| border.after((border.length() * share).clamp(margin, border.length() - margin)));
+    let shares =
+        ways_in.map(|share| border.after((border.length() * share).clamp(margin, border.length() - margin)));
     // Along a corridor, that is the hall of the building, not of the flat.
     let (hall, hall_width) = match brief.typology.plan {
         PlanKind::CorridorFlats => ("corridor", FLAT_HALL_WIDTH),
@@ -436,12 +452,16 @@ fn best_flat(flat: &Ground, border: Segment, kind: Kind<'_>, stream: &mut Stream
     let mut ways: [Option<Vec<Division>>; 3] = [const { None }; 3];
     for programme in fitting(programmes, floor, flat, typologies) {
         let mut best: Option<(f64, Vec<Cell>)> = None;
-        for (way, &at) in ways.iter_mut().zip(&shares) {
+        for ((way, &at), price) in ways.iter_mut().zip(&shares).zip(OTHER_WAYS) {
+            if best.is_some() && price == OTHER_WAYS[2] {
+                break;
+            }
             let task = task(at, programme);
             let divisions = way.get_or_insert_with(|| strips.divisions(task));
             for planned in plan(task, divisions, 1, stream) {
-                if best.as_ref().is_none_or(|(known, _)| planned.cost < *known) {
-                    best = Some((planned.cost, planned.cells));
+                let cost = planned.cost + price;
+                if best.as_ref().is_none_or(|(known, _)| cost < *known) {
+                    best = Some((cost, planned.cells));
                 }
             }
             if best.as_ref().is_some_and(|(cost, _)| *cost < GOOD_FLAT) {

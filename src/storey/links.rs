@@ -23,6 +23,8 @@ const BETWEEN: f64 = 0.2;
 const OPEN_BORDER: f64 = 1.35;
 /// Metres of border at most where a corridor ends at another.
 const WIDEST_PASSAGE: f64 = 2.6;
+/// Metres along which the stairs of a house lie open to its hall, at most.
+const WIDEST_OPEN_STAIRS: f64 = 4.5;
 /// Share of kitchens that do, where they may.
 const OPEN_SHARE: f64 = 0.65;
 
@@ -310,7 +312,7 @@ pub(super) fn inner_door(
     let has = |room_type: &str| types.contains(&room_type);
     let is_inside = cells[room].unit == cells[to].unit;
     if has("stairs") && has("corridor") && is_inside || types == ["walkway", "walkway"] {
-        let width = (border.length() - 0.1).min(2.6);
+        let width = (border.length() - 0.1).min(WIDEST_OPEN_STAIRS);
         return Link { width, ..open_side(room, to, border) };
     }
     let (kind, wanted): (OpeningKind, f64) = if has("elevator") {

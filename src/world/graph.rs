@@ -2,7 +2,7 @@
 
 use crate::catalog::Catalog;
 use crate::geometry::{Bounds, Point, Segment};
-use crate::plan::{Building, Level, Room};
+use crate::plan::{Building, Level, Room, joined_rooms, neighbours};
 
 /// A room of a building, both as indices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -74,9 +74,11 @@ pub(crate) struct Behind {
 impl BuildingGraph {
     /// The graph of a building; the catalogue says which types of rooms join levels.
     pub(crate) fn new(building: &Building, catalog: &Catalog) -> Self {
+        let joins =
+            |room: &Room| catalog.room_types.get(&room.room_type).is_some_and(|found| found.joins_levels);
         let mut levels: Vec<LevelGraph> = building.levels.iter().map(LevelGraph::new).collect();
         for (lower, upper) in neighbours(&building.levels) {
-            for (below, above) in joined_rooms(&building.levels[lower], &building.levels[upper], catalog) {
+            for (below, above) in joined_rooms(&building.levels[lower], &building.levels[upper], joins) {
                 let (below, above) =
                     (Place { level: lower, room: below }, Place { level: upper, room: above });
                 levels[lower].cells[below.room].joined.push(above);
@@ -136,48 +138,4 @@ fn face(room: &Room, wall: usize, from: f64, to: f64) -> Segment {
     let wall = &room.walls[wall];
     let along = wall.direction();
     Segment::new(wall.start + along * from, wall.start + along * to)
-}
-
-/// Levels that lie on each other, the lower one first.
-fn neighbours(levels: &[Level]) -> impl Iterator<Item = (usize, usize)> + '_ {
-    let pairs = levels.iter().enumerate().flat_map(|(lower, below)| {
-        levels.iter().enumerate().map(move |(upper, above)| ((lower, below), (upper, above)))
-    });
-    pairs.filter_map(|((lower, below), (upper, above))| {
-        let gap = above.elevation - (below.elevation + below.height);
-        // Mezzanines and the parts of a building on a slope are up to half a storey off.
-        let is_next = above.elevation > below.elevation && gap.abs() <= below.height / 2.0;
-        is_next.then_some((lower, upper))
-    })
-}
-
-/// Rooms of a type that joins levels, of which one stands on the other.
-fn joined_rooms(below: &Level, above: &Level, catalog: &Catalog) -> Vec<(usize, usize)> {
-    let joining = |level: &Level| -> Vec<usize> {
-        let joins =
-            |room: &Room| catalog.room_types.get(&room.room_type).is_some_and(|found| found.joins_levels);
-        (0..level.rooms.len()).filter(|index| joins(&level.rooms[*index])).collect()
-    };
-    let uppers = joining(above);
-    let mut pairs = Vec::new();
-    for lower in joining(below) {
-        for &upper in &uppers {
-            let (one, other) = (&below.rooms[lower], &above.rooms[upper]);
-            if one.room_type == other.room_type && (holds_middle(one, other) || holds_middle(other, one)) {
-                pairs.push((lower, upper));
-            }
-        }
-    }
-    pairs
-}
-
-/// Whether the middle of a room lies in another.
-fn holds_middle(room: &Room, other: &Room) -> bool {
-    room.region.contains(middle(other))
-}
-
-/// The mean of the corners of a room: its middle, but for odd shapes.
-pub(crate) fn middle(room: &Room) -> Point {
-    let corners = room.region.outline.corners();
-    corners.iter().copied().sum::<Point>() / corners.len() as f64
 }

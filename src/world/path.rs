@@ -7,13 +7,13 @@ use chacha20::rand_core::{Rng, SeedableRng};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::graph::{BuildingGraph, Place, middle};
+use super::graph::{BuildingGraph, Place};
 use super::near::STAIRS;
 use super::route::{CLEARANCE, route};
 use crate::catalog::Catalog;
 use crate::document::{Fault, FaultSeverity, Faults, Source, did_you_mean};
 use crate::geometry::{Point, Segment};
-use crate::plan::Plan;
+use crate::plan::{Plan, middle};
 
 /// The version that this program reads.
 const VERSION: u32 = 1;

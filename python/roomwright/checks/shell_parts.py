@@ -141,8 +141,9 @@ class Shell:
         meshes = Meshes(self.gltf)
         found = []
         for node in nodes:
-            is_slab = node.extras["part"] in ("floor", "ceiling")
-            if node.mesh is None or is_slab or node.parent is None or node.parent.kind not in ("room", "opening"):
+            # Floors and ceilings are the room's own borders; stairs are where people walk.
+            is_own = node.extras["part"] in ("floor", "ceiling", "stairs")
+            if node.mesh is None or is_own or node.parent is None or node.parent.kind not in ("room", "opening"):
                 continue
             found += [ShellPart(node, node.parent, part.placed(node.world)) for part in meshes.parts(node.mesh)]
         return found

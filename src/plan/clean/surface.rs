@@ -1,8 +1,8 @@
 //! Converts between the polygons of this project and those of the crate `geo`, which clips them.
 
-use geo::{Area, Coord, LineString};
+use geo::{Area, BooleanOps, Coord, LineString};
 
-use crate::geometry::{Point, Polygon};
+use crate::geometry::{Point, Polygon, Region};
 use crate::plan::limits::{COORDINATE, OUTLINE_CORNERS};
 
 /// A polygon with holes for the `geo` crate.
@@ -36,6 +36,22 @@ pub(in crate::plan) fn to_simple(points: &[Point]) -> Option<Polygon> {
     let is_usable =
         points.len() <= OUTLINE_CORNERS && points.iter().all(|point| point.abs().max_element() <= COORDINATE);
     if is_usable { Polygon::new(points).ok() } else { None }
+}
+
+/// Metres that a hole reaches beyond its corners: edges that lie on the border of what is cut are cut clean.
+const CUT_MARGIN: f64 = 0.002;
+
+/// What is left of a region around a hole, which may lie at its border or divide it.
+pub(crate) fn region_without(region: &Region, hole: &Polygon) -> Vec<Region> {
+    let middle = hole.bounds().center();
+    let beyond = |&corner: &Point| corner + (corner - middle).normalize_or_zero() * CUT_MARGIN;
+    let ring: Vec<Point> = hole.corners().iter().map(beyond).collect();
+    let left = to_surface(&region.outline, &region.holes).difference(&ring_surface(&ring));
+    let to_region = |surface: &geo::Polygon<f64>| {
+        let holes = surface.interiors().iter().filter_map(|ring| Polygon::new(&to_points(ring)).ok());
+        Some(Region { outline: to_polygon(surface)?, holes: holes.collect() })
+    };
+    left.0.iter().filter_map(to_region).collect()
 }
 
 /// The part with the largest area (the first of equals), and the square metres of all others together.

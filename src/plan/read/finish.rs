@@ -8,6 +8,7 @@ use super::native::{LevelOrigins, NativeChecks, NativeDraft, ProblemList, Report
 use crate::document::{Fault, Faults, Source, first_of_each_kind};
 use crate::plan::assemble::Storeys;
 use crate::plan::guess::Guessing;
+use crate::plan::stairs::join_levels;
 use crate::plan::{
     Building, BuildingDraft, Level, LevelDraft, LevelReport, Problem, RoomWords, SitePlacement, Subject,
     assemble_level, mirror_building, write_native,
@@ -118,6 +119,7 @@ fn assembled(
     if drafted.is_settled {
         building = settled(building, &drafted.id, words);
     }
+    join_levels(&mut building.levels);
     let mut faults = drafted.provenance.faults(problems);
     if let Some((first, others)) = unprintable {
         faults.push(replaced(drafted.provenance.file(), &first, others));

@@ -19,6 +19,7 @@ mod skirting;
 mod slab;
 mod slots;
 mod solid;
+mod stairs;
 mod storey;
 mod thickness;
 mod ticks;
@@ -38,6 +39,7 @@ use skirting::SkirtingShape;
 use slab::SlabShape;
 use slots::{FRAME_SLOT, GLASS_SLOT};
 use solid::Solid;
+use stairs::StairsShape;
 use ticks::Ticks;
 use wall::WallShape;
 
@@ -63,6 +65,8 @@ pub(crate) enum Shape {
     Wall(WallShape),
     /// A railing.
     Railing(RailingShape),
+    /// Steps up and balustrades around those from below.
+    Stairs(StairsShape),
     /// The skirting boards of a room.
     Skirting(SkirtingShape),
     /// A socket or switch, with its plate's slot.
@@ -90,6 +94,7 @@ impl Shape {
             Self::Slab(slab) => vec![slab.build()],
             Self::Wall(wall) => wall.build().into(),
             Self::Railing(railing) => vec![railing.build(-SLAB)],
+            Self::Stairs(stairs) => stairs.build().into(),
             Self::Skirting(skirting) => vec![skirting.build()],
             Self::Fitting(fitting, slot) => fitting.build(*slot).into(),
             Self::Threshold(reveal, slot) => vec![reveal.threshold(-SLAB, *slot)],

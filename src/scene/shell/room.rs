@@ -13,14 +13,15 @@ use super::railing::RailingShape;
 use super::skirting::{self, SkirtingShape};
 use super::slab::SlabShape;
 use super::slots::{FACADE_SLOT, RAILING_SLOT, SKIRTING_SLOT};
+use super::stairs::{RAIL_HEIGHT, StairsShape};
 use super::storey::Storey;
 use super::ticks::Ticks;
 use super::wall::{Cut, Hole, WallShape};
 use super::{INSET, SLAB, Shape};
 use crate::catalog::PaletteRef;
 use crate::contract::{Extras, Part, PartExtras, PartId, owned_name};
-use crate::geometry::{Convex, Point, Region};
-use crate::plan::{Level, Room, Wall, WallKind};
+use crate::geometry::{Convex, Point, Polygon, Region};
+use crate::plan::{Level, Room, Stairs, Wall, WallKind, region_without};
 use crate::recipes::{GeometrySet, Slot};
 use crate::scene::axes::{Pose, angle_facing};
 use crate::scene::extras::{corners, rounded};
@@ -49,23 +50,26 @@ pub(crate) struct Equipment<'p> {
 /// and ceiling are merged, last the one that shows them.
 pub(crate) fn room_parts<'a>(
     storey: &Storey<'_>,
-    room: &Room,
+    index: usize,
     finish: RoomFinish,
     equipment: &Equipment<'_>,
     meshes: &mut MeshTable<'a>,
 ) -> Vec<Node> {
     let Equipment { look, is_merged, worktops } = *equipment;
     let level = storey.level;
+    let room = &level.rooms[index];
+    let stairs = level.stairs_of(index);
     let origin = Pose::on_floor(room.region.outline.corners()[0], 0.0);
     let merged = is_merged.then(|| Merged::at(origin));
     let mut parts = RoomParts { room, palette: look.palette, origin, merged, meshes, nodes: Vec::new() };
-    parts.slabs(level, finish);
+    parts.slabs(level, finish, stairs);
     for (index, footprint) in footprints(storey, room).into_iter().enumerate() {
         parts.wall(level, index, footprint, finish);
     }
     parts.skirting(level, finish);
     parts.columns(finish.wall);
     parts.fittings(level, finish, look.geometry, worktops);
+    parts.stairs(stairs, finish.floor);
     parts.finish()
 }
 
@@ -81,14 +85,17 @@ struct RoomParts<'a, 'm, 'r> {
 }
 
 impl RoomParts<'_, '_, '_> {
-    fn slabs(&mut self, level: &Level, finish: RoomFinish) {
+    fn slabs(&mut self, level: &Level, finish: RoomFinish, stairs: Option<&Stairs>) {
         let region = &self.room.region;
         let anchor = region.outline.corners()[0];
-        let floor = SlabShape::of_region(region, anchor, [-SLAB, Ticks(0)], finish.floor);
+        let well = stairs.and_then(|stairs| stairs.well.as_ref()).map(|well| &well.opening);
+        let floor = SlabShape::of_regions(&around(region, well), anchor, [-SLAB, Ticks(0)], finish.floor);
         let floor = floor.laid_along(main_direction(&self.room.walls));
         self.part(PartExtras::of(PartId::only(Part::Floor)), Pose::on_floor(anchor, 0.0), Shape::Slab(floor));
         let thickness = storey_end(level, self.room).ceiling - Ticks::of(self.room.height);
-        let ceiling = SlabShape::of_region(region, anchor, [Ticks(0), thickness], finish.ceiling);
+        let above = stairs.and_then(|stairs| stairs.up.as_ref()).map(|flight| &flight.opening);
+        let ceiling =
+            SlabShape::of_regions(&around(region, above), anchor, [Ticks(0), thickness], finish.ceiling);
         let pose = Pose { position: anchor, elevation: self.room.height, angle: 0.0 };
         self.part(PartExtras::of(PartId::only(Part::Ceiling)), pose, Shape::Slab(ceiling));
     }
@@ -219,7 +226,7 @@ impl RoomParts<'_, '_, '_> {
             let height = Ticks::of(obstacle.height);
             let top = if height >= ceiling { ceiling + sunk } else { height };
             let region = Region::simple(obstacle.outline.clone());
-            let shape = SlabShape::of_region(&region, anchor, [-sunk, top], slot);
+            let shape = SlabShape::of_regions(&[region], anchor, [-sunk, top], slot);
             let extras = PartExtras {
                 outline: Some(corners(&obstacle.outline)),
                 height: Some(rounded(obstacle.height)),
@@ -229,9 +236,27 @@ impl RoomParts<'_, '_, '_> {
         }
     }
 
+    /// Steps up, and the balustrade around the hole that one comes up through. Its outline is what it takes of the floor.
+    fn stairs(&mut self, stairs: Option<&Stairs>, slot: Slot) {
+        let Some(Stairs { up, well, .. }) = stairs else { return };
+        let flight = up.as_ref().map(|flight| (&flight.opening, flight.rise()));
+        let Some((outline, height)) = flight.or(well.as_ref().map(|well| (&well.opening, RAIL_HEIGHT)))
+        else {
+            return;
+        };
+        let anchor = self.room.region.outline.corners()[0];
+        let shape = StairsShape::of(up.as_ref(), well.as_ref(), anchor, slot);
+        let extras = PartExtras {
+            outline: Some(corners(outline)),
+            height: Some(rounded(height)),
+            ..PartExtras::of(PartId::only(Part::Stairs))
+        };
+        self.part(extras, Pose::on_floor(anchor, 0.0), Shape::Stairs(shape));
+    }
+
     fn part(&mut self, extras: PartExtras, pose: Pose, shape: Shape) {
         let name = owned_name(&extras.id, &self.room.id);
-        let has_own_mesh = matches!(extras.part, Part::Floor | Part::Ceiling);
+        let has_own_mesh = matches!(extras.part, Part::Floor | Part::Ceiling | Part::Stairs);
         let mesh = match self.merged.as_mut().filter(|_| !has_own_mesh) {
             Some(merged) => {
                 merged.add(shape, &pose, self.meshes);
@@ -255,6 +280,11 @@ impl RoomParts<'_, '_, '_> {
         }
         self.nodes
     }
+}
+
+/// What is left of a floor or ceiling around a hole for stairs.
+fn around(region: &Region, opening: Option<&Polygon>) -> Vec<Region> {
+    opening.map_or_else(|| vec![region.clone()], |opening| region_without(region, opening))
 }
 
 /// Where a room's shell ends at the top.

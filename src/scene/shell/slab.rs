@@ -10,10 +10,8 @@ use crate::recipes::Slot;
 /// An upright prism. Outlines are in plan axes relative to the node that carries it.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct SlabShape {
-    /// Counter-clockwise.
-    pub outline: Vec<[Ticks; 2]>,
-    /// Counter-clockwise.
-    pub holes: Vec<Vec<[Ticks; 2]>>,
+    /// Seen from above; more than one where stairs divide a floor.
+    pub pieces: Vec<Piece>,
     /// Height of the underside.
     pub bottom: Ticks,
     /// Height of the top.
@@ -24,13 +22,25 @@ pub(crate) struct SlabShape {
     pub grain: Grain,
 }
 
+/// A part of a floor.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Piece {
+    /// Counter-clockwise.
+    pub outline: Vec<[Ticks; 2]>,
+    /// Counter-clockwise.
+    pub holes: Vec<Vec<[Ticks; 2]>>,
+}
+
 impl SlabShape {
-    /// A region between two heights, as seen from `anchor`.
-    pub(crate) fn of_region(region: &Region, anchor: Point, heights: [Ticks; 2], slot: Slot) -> Self {
+    /// Regions between two heights, as seen from `anchor`.
+    pub(crate) fn of_regions(regions: &[Region], anchor: Point, heights: [Ticks; 2], slot: Slot) -> Self {
         let ring = |polygon: &Polygon| without_straight_corners(polygon, anchor);
-        Self {
+        let piece = |region: &Region| Piece {
             outline: ring(&region.outline),
             holes: region.holes.iter().map(ring).collect(),
+        };
+        Self {
+            pieces: regions.iter().map(piece).collect(),
             bottom: heights[0],
             top: heights[1],
             slot,
@@ -43,23 +53,42 @@ impl SlabShape {
         Self { grain: Grain::Along([Ticks::of(direction.x), Ticks::of(-direction.y)]), ..self }
     }
 
-    /// The closed body.
+    /// The closed bodies.
     pub(crate) fn build(&self) -> Solid {
-        let rings: Vec<&Vec<[Ticks; 2]>> = std::iter::once(&self.outline).chain(&self.holes).collect();
+        let mut solid = Solid::new(self.slot).with_grain(self.grain);
+        self.pieces.iter().for_each(|piece| self.piece(piece, &mut solid));
+        solid
+    }
+
+    fn piece(&self, piece: &Piece, solid: &mut Solid) {
+        let rings: Vec<&Vec<[Ticks; 2]>> = std::iter::once(&piece.outline).chain(&piece.holes).collect();
         let corners: Vec<[Ticks; 2]> = rings.iter().flat_map(|ring| ring.iter().copied()).collect();
-        let triangles = self.triangulate(&corners);
+        let triangles = piece.triangulate(&corners);
         let at =
             |height: Ticks| corners.iter().map(|&corner| scene_corner(corner, height)).collect::<Vec<Vec3>>();
-        let mut solid = Solid::new(self.slot).with_grain(self.grain);
         solid.triangles(&at(self.top), Vec3::Y, triangles.iter().flatten().copied());
         let reversed = triangles.iter().flat_map(|&[a, b, c]| [a, c, b]);
         solid.triangles(&at(self.bottom), Vec3::NEG_Y, reversed);
         for (index, ring) in rings.iter().enumerate() {
-            self.sides(ring, index > 0, &mut solid);
+            self.sides(ring, index > 0, solid);
         }
-        solid
     }
 
+    fn sides(&self, ring: &[[Ticks; 2]], is_hole: bool, solid: &mut Solid) {
+        for index in 0..ring.len() {
+            let (a, b) = (ring[index], ring[(index + 1) % ring.len()]);
+            let (a, b) = if is_hole { (b, a) } else { (a, b) };
+            solid.face(&[
+                scene_corner(a, self.bottom),
+                scene_corner(b, self.bottom),
+                scene_corner(b, self.top),
+                scene_corner(a, self.top),
+            ]);
+        }
+    }
+}
+
+impl Piece {
     /// Counter-clockwise triangles of the plan outline.
     fn triangulate(&self, corners: &[[Ticks; 2]]) -> Vec<[u32; 3]> {
         let mut hole_starts: Vec<u32> = Vec::with_capacity(self.holes.len());
@@ -83,23 +112,10 @@ impl SlabShape {
         };
         indices.as_chunks::<3>().0.iter().filter_map(|&triangle| oriented(triangle)).collect()
     }
-
-    fn sides(&self, ring: &[[Ticks; 2]], is_hole: bool, solid: &mut Solid) {
-        for index in 0..ring.len() {
-            let (a, b) = (ring[index], ring[(index + 1) % ring.len()]);
-            let (a, b) = if is_hole { (b, a) } else { (a, b) };
-            solid.face(&[
-                scene_corner(a, self.bottom),
-                scene_corner(b, self.bottom),
-                scene_corner(b, self.top),
-                scene_corner(a, self.top),
-            ]);
-        }
-    }
 }
 
 /// The plan's (x, y, z) as (x, z, −y), like [`crate::scene::axes`], but from ticks.
-fn scene_corner([x, y]: [Ticks; 2], height: Ticks) -> Vec3 {
+pub(super) fn scene_corner([x, y]: [Ticks; 2], height: Ticks) -> Vec3 {
     Vec3::new(x.narrow(), height.narrow(), (-y).narrow())
 }
 

@@ -1,0 +1,189 @@
+//! Steps, landings and handrails.
+
+use glam::Vec3;
+
+use super::SLAB;
+use super::slab::scene_corner;
+use super::slots::RAILING_SLOT;
+use super::solid::Solid;
+use super::ticks::{Ticks, point_in_ticks};
+use crate::geometry::{Point, Segment};
+use crate::plan::{Flight, RailPoint, Step, Well};
+use crate::recipes::Slot;
+
+/// What leads up from a floor, and what stands around the hole through which one comes up to it; in plan axes relative to the
+/// node that carries it.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct StairsShape {
+    /// The lowest first.
+    pub steps: Vec<StepShape>,
+    /// Places under handrails, and their heights.
+    pub rails: Vec<Vec<([Ticks; 2], Ticks)>>,
+    /// Material of the steps.
+    pub slot: Slot,
+}
+
+/// A step: counter-clockwise corners, each with the height of the underside there.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct StepShape {
+    pub corners: Vec<([Ticks; 2], Ticks)>,
+    pub top: Ticks,
+}
+
+/// Metres of a flight under the inner edges of its steps, and of a landing.
+const WAIST: f64 = 0.14;
+/// See [`WAIST`].
+const LANDING: f64 = 0.2;
+/// Metres of handrails above what one stands on. (Approved Document K, section 1: 0.9 m to 1 m.)
+pub(super) const RAIL_HEIGHT: f64 = 0.95;
+/// Side of a post's square section.
+const POST: f64 = 0.024;
+/// Metres across a handrail, and of its height.
+const HANDRAIL: f64 = 0.044;
+/// Metres between the posts of a balustrade, at most. (Approved Document K, section 3: no gap that lets a ball of 0.1 m through.)
+const POST_INTERVAL: f64 = 0.12;
+/// Metres that a balustrade stands inside the edge of a well: it is fixed to the side of the floor.
+const GUARD_INSET: f64 = 0.03;
+
+impl StairsShape {
+    /// The shape of what a room has, as seen from `anchor`.
+    pub(crate) fn of(up: Option<&Flight>, well: Option<&Well>, anchor: Point, slot: Slot) -> Self {
+        let steps = up.iter().flat_map(|flight| &flight.steps);
+        let steps = steps.map(|step| StepShape::of(step, anchor)).collect();
+        let handrails = up.iter().flat_map(|flight| &flight.handrails).cloned();
+        let guards = well.iter().flat_map(|well| &well.guards).map(|guard| guard_points(*guard));
+        let point = |point: RailPoint| (point_in_ticks(point.at, anchor), Ticks::of(point.foot));
+        let rails = handrails.chain(guards).map(|rail| rail.into_iter().map(point).collect());
+        Self { steps, rails: rails.collect(), slot }
+    }
+
+    /// The closed bodies: steps, and what is of metal.
+    pub(crate) fn build(&self) -> [Solid; 2] {
+        let (mut steps, mut rails) = (Solid::new(self.slot), Solid::new(RAILING_SLOT));
+        self.steps.iter().for_each(|step| step.build(&mut steps));
+        for rail in &self.rails {
+            rail.iter().for_each(|&post| self::post(post, &mut rails));
+            rail.windows(2).for_each(|ends| handrail([ends[0], ends[1]], &mut rails));
+        }
+        [steps, rails]
+    }
+}
+
+/// The posts of a balustrade along an edge that has the hole on its left.
+fn guard_points(edge: Segment) -> Vec<RailPoint> {
+    let length = edge.length() - 2.0 * GUARD_INSET;
+    if length < POST_INTERVAL {
+        return Vec::new();
+    }
+    let fields = (length / POST_INTERVAL).ceil();
+    let at = |post: f64| edge.after(GUARD_INSET + length * post / fields) + edge.normal() * GUARD_INSET;
+    (0..=fields as u32).map(|post| RailPoint { at: at(f64::from(post)), foot: 0.0 }).collect()
+}
+
+impl StepShape {
+    fn of(step: &Step, anchor: Point) -> Self {
+        let under = |corner: usize| {
+            let below = match corner {
+                _ if step.is_landing => LANDING,
+                0 | 1 => step.rise + WAIST,
+                2 | 3 => WAIST,
+                _ => WAIST + step.rise / 2.0,
+            };
+            // The first steps stand in the floor: faces in one plane flicker.
+            Ticks::of(step.top - below).max(Ticks(-SLAB.0 / 2))
+        };
+        let corners = step.corners.iter().enumerate();
+        let corners = corners.map(|(number, &corner)| (point_in_ticks(corner, anchor), under(number)));
+        Self { corners: corners.collect(), top: Ticks::of(step.top) }
+    }
+
+    fn build(&self, solid: &mut Solid) {
+        let tops: Vec<Vec3> =
+            self.corners.iter().map(|&(corner, _)| scene_corner(corner, self.top)).collect();
+        let unders: Vec<Vec3> =
+            self.corners.iter().map(|&(corner, under)| scene_corner(corner, under)).collect();
+        solid.face(&tops);
+        // The underside of a step that turns is not flat.
+        for next in 1..unders.len() - 1 {
+            solid.face(&[unders[0], unders[next + 1], unders[next]]);
+        }
+        for corner in 0..tops.len() {
+            let next = (corner + 1) % tops.len();
+            solid.face(&[unders[corner], unders[next], tops[next], tops[corner]]);
+        }
+    }
+}
+
+/// A post from what it stands in up to the handrail.
+fn post((at, foot): ([Ticks; 2], Ticks), solid: &mut Solid) {
+    let half = Ticks::of(POST / 2.0);
+    let [x, y] = at;
+    let low = [x - half, foot - SLAB, -y - half];
+    solid.cuboid(low, [x + half, foot + Ticks::of(RAIL_HEIGHT), -y + half]);
+}
+
+/// A handrail between two posts, level or not.
+fn handrail(ends: [([Ticks; 2], Ticks); 2], solid: &mut Solid) {
+    let points = ends.map(|([x, y], _)| Point::new(x.metres(), y.metres()));
+    let Some(along) = (points[1] - points[0]).try_normalize() else { return };
+    let across = along.perp() * (HANDRAIL / 2.0);
+    let section = |end: usize| {
+        let foot = ends[end].1.metres() + RAIL_HEIGHT - HANDRAIL / 2.0;
+        // Into the post, so that the pieces of a rail that turns meet.
+        let at = points[end] + along * (HANDRAIL / 4.0) * if end == 0 { -1.0 } else { 1.0 };
+        let corner = |side: f64, height: f64| {
+            let place = at + across * side;
+            scene_corner([Ticks::of(place.x), Ticks::of(place.y)], Ticks::of(foot + height))
+        };
+        [corner(-1.0, 0.0), corner(1.0, 0.0), corner(1.0, HANDRAIL), corner(-1.0, HANDRAIL)]
+    };
+    let (start, end) = (section(0), section(1));
+    for corner in 0..start.len() {
+        let next = (corner + 1) % start.len();
+        solid.face(&[start[corner], start[next], end[next], end[corner]]);
+    }
+    solid.face(&[start[3], start[2], start[1], start[0]]);
+    solid.face(&end);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn step(corners: &[(f64, f64)], top: f64) -> Step {
+        let corners = corners.iter().map(|&(x, y)| Point::new(x, y)).collect();
+        Step { corners, top, rise: 0.18, is_landing: false }
+    }
+
+    /// Six times the volume of a closed body of triangles that look outwards, in cubic metres.
+    fn volume(solid: Solid) -> f32 {
+        let primitive = solid.finish();
+        let corner = |index: u32| Vec3::from_array(primitive.positions[index as usize]);
+        let triangles = primitive.indices.as_chunks::<3>().0.iter();
+        triangles.map(|&[a, b, c]| corner(a).dot(corner(b).cross(corner(c)))).sum::<f32>() / 6.0
+    }
+
+    #[test]
+    fn a_step_and_a_rail_are_closed_and_look_outwards() {
+        let flat = step(&[(0.0, 0.0), (1.0, 0.0), (1.0, 0.25), (0.0, 0.25)], 0.6);
+        let shape = StepShape::of(&flat, Point::ZERO);
+        let mut solid = Solid::new(Slot::Stone);
+        shape.build(&mut solid);
+        // As thick at the back as the waist, at the front by a rise more.
+        let wanted = 0.25 * (WAIST + 0.09);
+        assert!((f64::from(volume(solid)) - wanted).abs() < 1e-4);
+        let mut rail = Solid::new(RAILING_SLOT);
+        let ends = [(0.0, 0.2), (0.25, 0.38)].map(|(x, foot)| ([Ticks::of(x), Ticks(0)], Ticks::of(foot)));
+        handrail(ends, &mut rail);
+        let wanted = (0.25 + HANDRAIL / 2.0) * HANDRAIL * HANDRAIL;
+        assert!((f64::from(volume(rail)) - wanted).abs() < 1e-5);
+    }
+
+    #[test]
+    fn the_first_step_stands_in_the_floor() {
+        let first = step(&[(0.0, 0.0), (1.0, 0.0), (1.0, 0.25), (0.0, 0.25)], 0.18);
+        let shape = StepShape::of(&first, Point::ZERO);
+        assert_eq!(shape.corners[0].1, Ticks(-SLAB.0 / 2));
+        assert_eq!(shape.corners[2].1, Ticks::of(0.04));
+    }
+}
