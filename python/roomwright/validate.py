@@ -14,6 +14,8 @@ For every .glb and .gltf:
   collision    no object overlaps another, measured on the triangles
   shell        no wall, column, frame or leaf reaches more than 1 cm into a room, a doorway or furniture, and walls stand at
                the edges of the floors
+  stairs       the steps of a flight are equally high, at most 21 cm, up to its `height`, and without gaps; none lies within
+               60 cm of a door; 2 m above each are open
   trimesh      trimesh loads the file with the same count of instances and the same bounds
   khronos      the Khronos validator reports no error and no warning
 A .glb of a tileset, or one without extras that names its pieces by features, is judged by `file`, `path`, `texture`, `khronos` and
@@ -29,6 +31,8 @@ For every .usd, .usda, .usdc and .usdz:
 For every manifest.json:
   manifest     it is as configs/schema/manifest.schema.json says, each listed file exists with its size and hash, and no
                other level is in the folder
+  stairs       in a building of several levels, each flight ends at a floor of the level above, which is open over it; in the
+               floors are no other holes, and none within 60 cm of a door
 
 Needs the extra `validate` (scripts/requirements.txt), and for `khronos` also Node and `npm ci` in roomwright/khronos/.
 Faults go to standard output as FILE: [CODE] NODE: MESSAGE (or as one JSON document with --json), progress to
@@ -66,13 +70,15 @@ from .checks.schemas import FOLDER as SCHEMA_FOLDER
 from .checks.shell import check_shell
 from .checks.stages import ENDINGS as STAGE_ENDINGS
 from .checks.stages import check_stage
+from .checks.stairs import check_stairs
+from .checks.storeys import check_storeys
 from .checks.tileset import NAME as TILESET_NAME
 from .checks.tileset import check_tileset, tilesets_in
 from .gltf_document import GltfError
 from .gltf_file import GltfFile
 from .workers import outcomes
 
-CHECKS = (check_names, check_extras, check_pieces, check_containment, check_collisions, check_shell)
+CHECKS = (check_names, check_extras, check_pieces, check_containment, check_collisions, check_shell, check_stairs)
 
 
 class Input(NamedTuple):
@@ -203,6 +209,7 @@ def main(arguments: list[str] | None = None) -> int:
         return 2
     faults, totals = check_files(files, max(1, options.jobs), with_khronos, options.quiet)
     faults += chain.from_iterable(map(check_manifest, manifests))
+    faults += chain.from_iterable(check_storeys(manifest, max(1, options.jobs)) for manifest in manifests)
     faults += chain.from_iterable(check_tileset(tileset, max(1, options.jobs)) for tileset in tilesets)
     faults.sort()
     report(options.json, {"files": len(files), "manifests": len(manifests), "tilesets": len(tilesets), **totals}, faults)

@@ -10,6 +10,9 @@
       overlap      how deep two parts overlap
     shell        walls, columns, frames and leaves against rooms, doorways and furniture; with
       shell_parts  what they are made of
+    stairs       steps against each other, doors and ceilings; with
+      storeys      the levels of a building, which stairs join
+      undersides   the height that is open over a place
     loading      the same file read by trimesh
     khronos      the Khronos validator
     manifest     files against the manifest

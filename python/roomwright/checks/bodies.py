@@ -68,14 +68,47 @@ def split(corners: np.ndarray, triangles: np.ndarray) -> list[Part]:
     return [part_of(corners, triangles[chosen]) for chosen in np.split(order, starts)]
 
 
+def solids_of(primitive: dict) -> list[Part]:
+    """The parts of a mesh; of those that meet along an edge, as the steps of a flight do, each is one."""
+    found = []
+    for part in split(*weld(primitive)):
+        labels = joined_faces(part.triangles)
+        pieces = [part_of(part.corners, part.triangles[labels == label]) for label in np.unique(labels)]
+        # Bodies in the same place have no edge of two triangles, and stay together.
+        found += pieces if all(map(is_closed, pieces)) else [part]
+    return found
+
+
+def joined_faces(triangles: np.ndarray) -> np.ndarray:
+    """For each triangle, a number that those share which lead to each other over edges of two triangles alone."""
+    edges = np.sort(edges_of(triangles), axis=1)
+    _, edge, count = np.unique(edges, axis=0, return_inverse=True, return_counts=True)
+    owners = np.tile(np.arange(len(triangles)), 3)[np.argsort(edge.reshape(-1), kind="stable")]
+    first = (np.cumsum(count) - count)[count == 2]
+    return connected(len(triangles), np.stack([owners[first], owners[first + 1]], axis=1))
+
+
+def edges_of(triangles: np.ndarray) -> np.ndarray:
+    """The first edges of all triangles, then the second ones, then the third ones."""
+    return np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+
+
+def is_closed(part: Part) -> bool:
+    """Whether each edge has as many triangles on one side as on the other."""
+    ends = edges_of(part.triangles)
+    signs = np.where(ends[:, 0] < ends[:, 1], 1, -1)
+    _, edge = np.unique(np.sort(ends, axis=1), axis=0, return_inverse=True)
+    return not np.bincount(edge.reshape(-1), signs).any()
+
+
 def connected(count: int, triangles: np.ndarray) -> np.ndarray:
-    """For each corner, the least corner that it is connected with."""
+    """For each corner, the least corner that it is connected with; the rows are triangles, or pairs."""
     labels = np.arange(count)
     while True:
         least = labels[triangles].min(axis=1)
         before = labels.copy()
-        for column in range(3):
-            np.minimum.at(labels, triangles[:, column], least)
+        for column in triangles.T:
+            np.minimum.at(labels, column, least)
         labels = labels[labels]
         if np.array_equal(labels, before):
             return labels

@@ -119,6 +119,14 @@ class RoomFloor:
             found += [(hole[(i + 1) % len(hole)], hole[i]) for i in range(len(hole))]
         return found
 
+    def ends_of(self, side: dict) -> tuple[np.ndarray, np.ndarray] | None:
+        """Where an opening begins and ends on one of the walls; none if there is no such wall."""
+        if side["wall"] >= len(self.borders):
+            return None
+        start, end = self.borders[side["wall"]]
+        along = (end - start) / max(np.linalg.norm(end - start), 1e-9)
+        return start + along * side["from"], start + along * side["to"]
+
 
 class Shell:
     """The shell of a level: its parts, rooms and openings."""
@@ -131,7 +139,8 @@ class Shell:
         self.openings: list[Node] = usable["opening"]
         self.by_room: dict[str, RoomFloor] = {}
         for node in usable["room"]:
-            columns = [part for part in usable["part"] if part.parent is node
+            # Stairs say where they are, too, but no wall may stand in a flight or in a well.
+            columns = [part for part in usable["part"] if part.parent is node and part.extras["part"] != "stairs"
                        and {"outline", "height"} <= part.extras.keys()]
             self.by_room[node.extras["room"]] = RoomFloor(node, columns)
         self.rooms = list(self.by_room.values())
@@ -198,11 +207,7 @@ class Shell:
     def ends_of(self, side: dict) -> tuple[np.ndarray, np.ndarray] | None:
         """Where an opening begins and ends on the wall of a room; none if the room or wall is not in the file."""
         room = self.by_room.get(side["room"])
-        if room is None or side["wall"] >= len(room.borders):
-            return None
-        start, end = room.borders[side["wall"]]
-        along = (end - start) / max(np.linalg.norm(end - start), 1e-9)
-        return start + along * side["from"], start + along * side["to"]
+        return None if room is None else room.ends_of(side)
 
 
 def strip(start: np.ndarray, end: np.ndarray, margin: float, depth: float) -> shapely.Polygon:

@@ -1,4 +1,4 @@
-"""Collision shapes of furniture and leaves: a box or a convex part for each loose part of a mesh.
+"""Collision shapes of furniture, leaves and stairs: a box or a convex part for each loose part of a mesh.
 
 Simulators take the convex hull of each part that is no box. Boxes are cheaper, and rest on each other more quietly, so a part
 that nearly fills the box around it becomes that box.
@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..checks.bodies import Part, parts_of
+from ..checks.bodies import Part, is_closed, parts_of, solids_of
 from ..checks.shell_parts import FITTING_HEIGHT
 from ..gltf_file import GltfFile
 
@@ -55,17 +55,14 @@ def closed_parts(primitives: list[dict]) -> list[Part]:
     return [part for part in parts if is_closed(part)] + parts_of([together])
 
 
-def is_closed(part: Part) -> bool:
-    """Whether each edge has as many triangles on one side as on the other."""
-    ends = np.concatenate([part.triangles[:, [0, 1]], part.triangles[:, [1, 2]], part.triangles[:, [2, 0]]])
-    signs = np.where(ends[:, 0] < ends[:, 1], 1, -1)
-    _, edge = np.unique(np.sort(ends, axis=1), axis=0, return_inverse=True)
-    return not np.bincount(edge.reshape(-1), signs).any()
-
-
 def furniture_colliders(gltf: GltfFile, mesh: int) -> list[Collider]:
     """Of a piece or a leaf, in its own axes, Z up."""
     return [collider_of(part) for part in closed_parts(gltf.primitives(mesh))]
+
+
+def stairs_colliders(gltf: GltfFile, mesh: int) -> list[Collider]:
+    """Of stairs: each step, landing, post and piece of a handrail. Steps share edges, and the hull of a flight is a ramp."""
+    return [collider_of(part) for primitive in gltf.primitives(mesh) for part in solids_of(primitive)]
 
 
 def collider_of(part: Part) -> Collider:

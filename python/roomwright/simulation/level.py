@@ -10,7 +10,7 @@ from ..usd.physics import properties_of
 
 from .axes import about_up, points_up, pose_up, split_scale
 from .bodies import Body, Collider, LevelModel, Surface, Visual
-from .colliders import furniture_colliders, scaled, shell_colliders, shrunk
+from .colliders import furniture_colliders, scaled, shell_colliders, shrunk, stairs_colliders
 from .colours import Colours, Rgba
 from .doors import is_leaf, joint_of, leaf_inertia, without_fittings
 from .movable import movable_pieces, piece_inertia
@@ -88,6 +88,8 @@ class LevelReader:
     def shape(self, mesh: int, kind: str) -> list[Collider]:
         if kind == "shell" or kind == "walls":
             return shell_colliders(self.gltf, mesh, kind == "walls")
+        if kind == "stairs":
+            return stairs_colliders(self.gltf, mesh)
         return furniture_colliders(self.gltf, mesh) if kind == "loose" else []
 
     def visuals(self, mesh: int) -> list[Visual]:
@@ -105,6 +107,8 @@ def shape_kind(node: Node) -> str:
         return "loose" if properties_of(node.extras["class"])["shape"] else "none"
     if node.extras.get("part") == "leaf":
         return "loose"
+    if node.extras.get("part") == "stairs":
+        return "stairs"
     is_of_room = node.parent is not None and node.parent.kind == "room"
     return "walls" if is_of_room and node.extras.get("part") not in SLABS else "shell"
 
