@@ -70,13 +70,20 @@ def split(corners: np.ndarray, triangles: np.ndarray) -> list[Part]:
 
 def solids_of(primitive: dict) -> list[Part]:
     """The parts of a mesh; of those that meet along an edge, as the steps of a flight do, each is one."""
-    found = []
-    for part in split(*weld(primitive)):
-        labels = joined_faces(part.triangles)
-        pieces = [part_of(part.corners, part.triangles[labels == label]) for label in np.unique(labels)]
-        # Bodies in the same place have no edge of two triangles, and stay together.
-        found += pieces if all(map(is_closed, pieces)) else [part]
-    return found
+    return [part_of(corners, triangles) for corners, triangles in surfaces_of(primitive)]
+
+
+def surfaces_of(primitive: dict) -> list[tuple[np.ndarray, np.ndarray]]:
+    """The corners and triangles of the solids of a mesh."""
+    corners, triangles = weld(primitive)
+    if len(triangles) == 0:
+        return []
+    labels = joined_faces(triangles)
+    whole = connected(len(corners), triangles)[triangles[:, 0]]
+    # Bodies in the same place have no edge of two triangles: what they are connected with stays together.
+    is_open = np.isin(labels, open_surfaces(triangles, labels))
+    labels = np.where(np.isin(whole, whole[is_open]), whole + len(triangles), labels)
+    return [own_corners(corners, triangles[labels == label]) for label in np.unique(labels)]
 
 
 def joined_faces(triangles: np.ndarray) -> np.ndarray:
@@ -88,17 +95,22 @@ def joined_faces(triangles: np.ndarray) -> np.ndarray:
     return connected(len(triangles), np.stack([owners[first], owners[first + 1]], axis=1))
 
 
-def edges_of(triangles: np.ndarray) -> np.ndarray:
-    """The first edges of all triangles, then the second ones, then the third ones."""
-    return np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+def open_surfaces(triangles: np.ndarray, labels: np.ndarray) -> np.ndarray:
+    """The labels of surfaces with an edge that has more triangles on one side than on the other."""
+    ends = edges_of(triangles)
+    signs = np.where(ends[:, 0] < ends[:, 1], 1, -1)
+    keys, edge = np.unique(np.column_stack([np.tile(labels, 3), np.sort(ends, axis=1)]), axis=0, return_inverse=True)
+    return np.unique(keys[np.bincount(edge.reshape(-1), signs) != 0, 0])
 
 
 def is_closed(part: Part) -> bool:
     """Whether each edge has as many triangles on one side as on the other."""
-    ends = edges_of(part.triangles)
-    signs = np.where(ends[:, 0] < ends[:, 1], 1, -1)
-    _, edge = np.unique(np.sort(ends, axis=1), axis=0, return_inverse=True)
-    return not np.bincount(edge.reshape(-1), signs).any()
+    return len(open_surfaces(part.triangles, np.zeros(len(part.triangles), int))) == 0
+
+
+def edges_of(triangles: np.ndarray) -> np.ndarray:
+    """The first edges of all triangles, then the second ones, then the third ones."""
+    return np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
 
 
 def connected(count: int, triangles: np.ndarray) -> np.ndarray:
@@ -115,8 +127,7 @@ def connected(count: int, triangles: np.ndarray) -> np.ndarray:
 
 
 def part_of(corners: np.ndarray, triangles: np.ndarray) -> Part:
-    used, renumbered = np.unique(triangles, return_inverse=True)
-    corners, triangles = corners[used], renumbered.reshape(-1, 3)
+    corners, triangles = own_corners(corners, triangles)
     ring = corners[triangles]
     normals = np.cross(ring[:, 1] - ring[:, 0], ring[:, 2] - ring[:, 0])
     flat = np.linalg.norm(normals, axis=1) > 1e-12
@@ -126,6 +137,12 @@ def part_of(corners: np.ndarray, triangles: np.ndarray) -> Part:
     faces, offsets = distinct_faces(normals, np.einsum("ij,ij->i", normals, ring[flat][:, 0]))
     is_convex = len(faces) > 0 and bool((corners @ faces.T - offsets).max() < FLAT)
     return Part(corners, triangles, is_convex, distinct(edges), distinct(normals))
+
+
+def own_corners(corners: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Some triangles with the corners that they use alone."""
+    used, renumbered = np.unique(triangles, return_inverse=True)
+    return corners[used], renumbered.reshape(-1, 3)
 
 
 def distinct_faces(normals: np.ndarray, offsets: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -14,7 +14,7 @@ import shapely
 
 from ..gltf_file import GltfFile, Node
 
-from .bodies import Part, solids_of
+from .bodies import surfaces_of
 from .contract import room_of
 from .report import Note
 from .schemas import extras_schemas
@@ -38,6 +38,8 @@ LEAST_AREA = 0.005
 NEAR = 0.02
 # Metres along which a step and a floor meet: nearly the width of the narrowest flight.
 LEAST_MEETING = 0.6
+# Sine of the angle between edges that run the same way.
+PARALLEL = 0.02
 # Metres up to which what has no steps may be high: the balustrade of a well.
 BALUSTRADE = 1.2
 
@@ -46,16 +48,21 @@ BALUSTRADE = 1.2
 class Step:
     """A step or a landing, in the scene's frame: x east, y up, z south."""
 
-    part: Part
+    corners: np.ndarray
+    triangles: np.ndarray
 
-    @property
+    @cached_property
+    def bottom(self) -> float:
+        return float(self.corners[:, 1].min())
+
+    @cached_property
     def top(self) -> float:
-        return float(self.part.high[1])
+        return float(self.corners[:, 1].max())
 
     @cached_property
     def tread(self) -> shapely.Polygon:
         """Its top in the plan's axes."""
-        corners = self.part.corners[self.part.corners[:, 1] > self.top - 1e-3]
+        corners = self.corners[self.corners[:, 1] > self.top - 1e-3]
         return shapely.MultiPoint(corners[:, [0, 2]] * (1, -1)).convex_hull
 
     @cached_property
@@ -98,8 +105,10 @@ class StairsOfLevel:
                 and schema.is_usable(node.extras)]
 
     def _stairs(self, node: Node) -> Stairs:
-        parts = [part.placed(node.world) for primitive in self.gltf.primitives(node.mesh) for part in solids_of(primitive)]
-        steps = sorted((Step(part) for part in parts if is_step(part)), key=lambda step: step.top)
+        surfaces = [(placed(corners, node), triangles) for primitive in self.gltf.primitives(node.mesh)
+                    for corners, triangles in surfaces_of(primitive)]
+        steps = [Step(corners, triangles) for corners, triangles in surfaces if is_step(corners)]
+        steps.sort(key=lambda step: step.top)
         return Stairs(node, self.rooms[node.parent.index], steps)
 
     def floor_area(self, room: RoomFloor) -> shapely.Geometry:
@@ -112,11 +121,20 @@ class StairsOfLevel:
     def triangles(self, node: Node) -> np.ndarray:
         """The triangles of a node's mesh in the scene's frame, n x 3 x 3."""
         rings = [primitive["positions"].astype(float)[primitive["triangles"]] for primitive in self.gltf.primitives(node.mesh)]
-        return np.concatenate(rings) @ node.world[:3, :3].T + node.world[:3, 3]
+        return placed(np.concatenate(rings), node)
+
+    @cached_property
+    def furniture(self) -> dict[int, list[Node]]:
+        """By the nodes of rooms."""
+        found: dict[int, list[Node]] = {}
+        for node in self.gltf.nodes:
+            room = room_of(node) if node.kind == "furniture" and node.mesh is not None else None
+            if room is not None:
+                found.setdefault(room.index, []).append(node)
+        return found
 
     def furniture_in(self, room: RoomFloor) -> list[Node]:
-        return [node for node in self.gltf.nodes
-                if node.kind == "furniture" and node.mesh is not None and room_of(node) is room.node]
+        return self.furniture.get(room.node.index, [])
 
     @cached_property
     def openings(self) -> list[Node]:
@@ -150,12 +168,27 @@ class Doorway:
     def is_end_of(self, step: Step) -> bool:
         """Whether stairs begin or end in it, at this step; not where a leaf opens over them."""
         leaves = [leaf["open"] for leaf in self.opening.extras.get("leaves", []) if "hinge" in leaf]
-        opens_in = any(shapely.intersects_xy(self.room.outline.buffer(-NEAR), *place) for place in leaves)
-        return not opens_in and shapely.LineString([self.start, self.end]).distance(step.tread) <= AT_DOOR
+        if any(shapely.intersects_xy(self.room.outline.buffer(-NEAR), *place) for place in leaves):
+            return False
+        ring = shapely.get_coordinates(step.tread.exterior)
+        return any(self.is_along(start, end) for start, end in zip(ring, ring[1:]))
+
+    def is_along(self, start: np.ndarray, end: np.ndarray) -> bool:
+        """Whether an edge of a tread over which one steps lies in it."""
+        edge, own = end - start, self.end - self.start
+        length = np.linalg.norm(edge)
+        turn = abs(edge[0] * own[1] - edge[1] * own[0]) / max(length * np.linalg.norm(own), 1e-9)
+        middle = shapely.Point((start + end) / 2)
+        return length >= LEAST_MEETING and turn < PARALLEL and middle.distance(shapely.LineString([self.start, self.end])) <= AT_DOOR
 
 
-def is_step(part: Part) -> bool:
-    area = shapely.MultiPoint(part.corners[:, [0, 2]]).minimum_rotated_rectangle
+def placed(corners: np.ndarray, node: Node) -> np.ndarray:
+    """Corners of a node's mesh in the scene's frame."""
+    return corners @ node.world[:3, :3].T + node.world[:3, 3]
+
+
+def is_step(corners: np.ndarray) -> bool:
+    area = shapely.MultiPoint(corners[:, [0, 2]]).minimum_rotated_rectangle
     ring = shapely.get_coordinates(area)
     return area.geom_type == "Polygon" and bool(np.linalg.norm(np.diff(ring[:3], axis=0), axis=1).min() > NARROWEST_STEP)
 
@@ -183,7 +216,8 @@ def check_rises(stairs: Stairs) -> Iterator[Note]:
     tops = [top for top, below in zip(tops, [0.0, *tops]) if top - below > EVEN]
     rises = np.diff([0.0, *tops, stairs.height])
     if rises.max() > HIGHEST_RISE + 1e-3:
-        yield note(stairs, f"step {rises.argmax() + 1} of {len(rises)} is {rises.max() * 1000:.0f} mm high")
+        number = np.flatnonzero(rises > rises.max() - EVEN)[0] + 1
+        yield note(stairs, f"step {number} of {len(rises)} is {rises.max() * 1000:.0f} mm high")
     if rises.max() - rises.min() > EVEN:
         yield note(stairs, f"its steps are from {rises.min() * 1000:.0f} to {rises.max() * 1000:.0f} mm high")
 
@@ -207,7 +241,7 @@ def check_doors(stairs: Stairs, level: StairsOfLevel) -> Iterator[Note]:
     for doorway in level.doorways(stairs.room):
         if doorway.is_end_of(stairs.steps[0]):
             continue
-        low = [step for step in stairs.steps if step.part.low[1] < HEADROOM]
+        low = [step for step in stairs.steps if step.bottom < HEADROOM]
         met = [step.tread.intersection(doorway.zone) for step in low]
         areas = [area for area in met if area.area > LEAST_AREA]
         if areas:
@@ -220,7 +254,7 @@ def check_headroom(stairs: Stairs, level: StairsOfLevel) -> Iterator[Note]:
     nodes = [node for node in level.parts if node.extras["part"] in ("ceiling", "floor")]
     nodes += level.furniture_in(stairs.room)
     faces = [(node.name, level.triangles(node)) for node in nodes]
-    faces += [(other.node.name, step.part.corners[step.part.triangles]) for other in level.stairs for step in other.steps]
+    faces += [(other.node.name, step.corners[step.triangles]) for other in level.stairs for step in other.steps]
     yield from low_places(stairs, Undersides(faces))
 
 
