@@ -85,20 +85,31 @@ class TestDoors:
         storey.door("west", 3, DEPTH - HEAD, DEPTH - HEAD + GOING)
         assert faults(storey, tmp_path) == []
 
-    def test_a_flight_may_begin_in_a_doorway(self, tmp_path):
-        bodies = [body - (0.0, FOOT - 0.1, 0.0) for body in steps()]
-        storey = ground(bodies, ceiling=around(0.1, HEAD - FOOT + 0.1))
-        assert len(faults(storey, tmp_path)) == 0, "the door begins beside the flight, at its corner"
-        storey.door("foot", 0, 0.1, 0.9)
-        assert faults(storey, tmp_path) == []
+    # The flight begins at the southern wall, from 0 to 1 m.
+    @pytest.mark.parametrize(("start", "is_sound"), [(0.1, True), (0.5, False)])
+    def test_a_flight_may_begin_in_a_doorway(self, tmp_path, start, is_sound):
+        storey = self.at_the_wall()
+        storey.door("foot", 0, start, start + 0.9)
+        found = faults(storey, tmp_path)
+        assert (found == []) is is_sound and all("of its steps lie within 0.6 m of door:foot" in message for message in found)
 
     def test_no_leaf_opens_over_the_first_step(self, tmp_path):
-        bodies = [body - (0.0, FOOT - 0.1, 0.0) for body in steps()]
-        storey = ground(bodies, ceiling=around(0.1, HEAD - FOOT + 0.1))
+        storey = self.at_the_wall()
         storey.door("foot", 0, 0.1, 0.9)
         storey.floor.find("door:foot")["extras"] |= {
             "closure": "door", "leaves": [{"hinge": [0.1, 0.0], "closed": [0.9, 0.0], "open": [0.1, 0.8]}]}
         assert ["door:foot" in message for message in faults(storey, tmp_path)] == [True]
+
+    def at_the_wall(self) -> Storey:
+        return ground([body - (0.0, FOOT - 0.05, 0.0) for body in steps()], ceiling=around(0.05, HEAD - FOOT + 0.05))
+
+    def test_a_flight_may_end_in_a_doorway(self, tmp_path):
+        """Of a level whose room ends there: no floor is behind the last step."""
+        storey = upper(around(north=DEPTH))
+        storey.floor.find("room:hall")["extras"]["outline"][2:] = [[3.0, HEAD], [0.0, HEAD]]
+        assert len(faults_of_house(tmp_path, ground(), storey)) == 1
+        storey.door("north", 2, 2.0, 3.0)
+        assert faults_of_house(tmp_path, ground(), storey) == []
 
     @pytest.mark.parametrize(("south", "north", "count"), [(0.1, 0.9, 0), (2.0, 3.0, 1)])
     def test_holes_keep_away_from_doors(self, tmp_path, south, north, count):

@@ -38,8 +38,6 @@ LEAST_AREA = 0.005
 NEAR = 0.02
 # Metres along which a step and a floor meet: nearly the width of the narrowest flight.
 LEAST_MEETING = 0.6
-# Sine of the angle between edges that run the same way.
-PARALLEL = 0.02
 # Metres up to which what has no steps may be high: the balustrade of a well.
 BALUSTRADE = 1.2
 
@@ -140,6 +138,10 @@ class StairsOfLevel:
     def openings(self) -> list[Node]:
         return self._usable("opening")
 
+    def is_at_doorway(self, room: RoomFloor, step: Step) -> bool:
+        """Whether stairs begin or end at a step in a doorway of a room: the floor is behind it."""
+        return any(doorway.is_end_of(step) for doorway in self.doorways(room))
+
     def doorways(self, room: RoomFloor) -> Iterator[Doorway]:
         """The ways in and out of a room."""
         for opening in self.openings:
@@ -174,12 +176,12 @@ class Doorway:
         return any(self.is_along(start, end) for start, end in zip(ring, ring[1:]))
 
     def is_along(self, start: np.ndarray, end: np.ndarray) -> bool:
-        """Whether an edge of a tread over which one steps lies in it."""
-        edge, own = end - start, self.end - self.start
-        length = np.linalg.norm(edge)
-        turn = abs(edge[0] * own[1] - edge[1] * own[0]) / max(length * np.linalg.norm(own), 1e-9)
-        middle = shapely.Point((start + end) / 2)
-        return length >= LEAST_MEETING and turn < PARALLEL and middle.distance(shapely.LineString([self.start, self.end])) <= AT_DOOR
+        """Whether one steps through it over an edge of a tread."""
+        along = (self.end - self.start) / max(np.linalg.norm(self.end - self.start), 1e-9)
+        across = np.array([-along[1], along[0]])
+        places, depths = ([(point - self.start) @ axis for point in (start, end)] for axis in (along, across))
+        shared = min(max(places), (self.end - self.start) @ along) - max(min(places), 0.0)
+        return shared >= LEAST_MEETING and np.abs(depths).max() <= AT_DOOR
 
 
 def placed(corners: np.ndarray, node: Node) -> np.ndarray:
@@ -224,8 +226,9 @@ def check_rises(stairs: Stairs) -> Iterator[Note]:
 
 def check_joints(stairs: Stairs, level: StairsOfLevel) -> Iterator[Note]:
     """A way up without gaps: from the floor to the first step, and from step to step."""
-    if not is_met(level.floor_area(stairs.room), stairs.steps[0]):
-        yield note(stairs, f"no floor is before its first step at {place_of(stairs.steps[0].tread)}")
+    first = stairs.steps[0]
+    if not is_met(level.floor_area(stairs.room), first) and not level.is_at_doorway(stairs.room, first):
+        yield note(stairs, f"no floor is before its first step at {place_of(first.tread)}")
     for number, (step, above) in enumerate(zip(stairs.steps, stairs.steps[1:]), 2):
         gap = step.tread.distance(above.tread)
         if gap > NEAR:

@@ -21,7 +21,7 @@ from ..workers import outcomes
 from .manifest import SCENE_ENDINGS
 from .report import Fault, Note
 from .schemas import extras_schemas
-from .stairs import (BEFORE_DOOR, LEAST_AREA, NEAR, Stairs, StairsOfLevel, is_met, low_places, note, place_of)
+from .stairs import BEFORE_DOOR, LEAST_AREA, NEAR, Stairs, StairsOfLevel, is_met, low_places, note, place_of
 from .undersides import Undersides
 
 # Metres by which the end of stairs may miss the floor above: elevations have millimetres.
@@ -92,8 +92,9 @@ def check_end(stairs: Stairs, storey: Storey, storeys: list[Storey]) -> Iterator
     for other in above:
         rooms = [room for room in other.level.rooms.values() if room.outline.intersects(stairs.outline)]
         floor = shapely.union_all([other.level.floor_area(room) for room in rooms])
-        if not is_met(floor, stairs.steps[-1]):
-            yield note(stairs, f"no floor of {other.file.stem} is at its last step at {place_of(stairs.steps[-1].tread)}")
+        last = stairs.steps[-1]
+        if not is_met(floor, last) and not any(other.level.is_at_doorway(room, last) for room in rooms):
+            yield note(stairs, f"no floor of {other.file.stem} is at its last step at {place_of(last.tread)}")
         nodes = [node for room in rooms for node in (*other.level.parts_in(room), *other.level.furniture_in(room))]
         rise = (0.0, other.elevation - storey.elevation, 0.0)
         faces = [(f"{node.name} of {other.file.stem}", other.level.triangles(node) + rise) for node in nodes]
