@@ -81,6 +81,11 @@ class TestFiles:
             "lamp.1@101": ("101", "furniture"), "light.lamp.1@101": ("101", "lights"),
             "added by hand": ("101", "furniture")}
 
+    def test_stairs_are_of_the_shell_of_their_room(self):
+        nodes = [{"name": "room:hall", "extras": {"kind": "room", "room": "hall"}, "children": [1]},
+                 {"name": "stairs@hall", "extras": {"kind": "part", "part": "stairs", "id": "stairs"}}]
+        assert sort_nodes(nodes)[1] == ("hall", "shell")
+
 
 class TestFilesThatAFloorNames:
     FORBIDDEN = ["../secret.png", "/etc/passwd", "%2e%2e/secret.png", "file:///etc/passwd", "https://example.org/a.png",

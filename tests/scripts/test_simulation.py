@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import shapely
 from conftest import build_floor, furniture, write_manifest
+from stairs_house import EAST, FOOT, GOING, HEAD, RISES, STOREY, block, ground, steps
 from simulation_reading import at, bodies, document, extent, is_in_convex, mesh_points, run, shapes, vector
 from test_usd_doors import HINGE, OPEN_TIP, SHUT_TIP, add_door, move_points
 
@@ -290,6 +291,31 @@ class TestShapes:
                 east, up, south = (door.world @ [across * door.extras["width"], height, 0.03, 1.0])[:3]
                 point = np.array([east, -south, up])
                 assert any(is_in_convex(point, corners) for corners in shell) is not is_open, (door.name, across, height)
+
+
+class TestStairs:
+    """Steps that one can climb."""
+
+    def colliders(self, tmp_path, bodies=None):
+        level = read_level(GltfFile(ground(bodies).write(tmp_path / "ground.glb")), None)
+        return next(body for body in level.bodies if body.name == "house/ground/hall/stairs").colliders
+
+    def test_each_step_is_a_shape_of_its_own(self, tmp_path):
+        found = self.colliders(tmp_path)
+        tops = sorted(collider.corners[:, 2].max() for collider in found)
+        assert tops == pytest.approx([STOREY / RISES * number for number in range(1, RISES)], abs=1e-5)
+        # One stands on the second step as on the mesh: nothing fills what is above it, as the hull of the flight would.
+        over = [collider for collider in found if is_in_convex(np.array([0.5, FOOT + 1.9 * GOING, 0.45]), collider.corners)]
+        assert over == []
+
+    def test_what_is_under_a_flight_stays_free(self, tmp_path):
+        below = np.array([0.5, HEAD - GOING / 2, 2.6 - STOREY / RISES - 0.14 - 0.01])
+        assert not any(is_in_convex(below, collider.corners) for collider in self.colliders(tmp_path))
+
+    def test_handrails_and_low_steps_are_obstacles(self, tmp_path):
+        rail, post = block((EAST - 0.04, FOOT, 0.9), (EAST, HEAD, 0.94)), block((0.5, FOOT, 0.9), (0.55, FOOT + 0.05, 0.95))
+        low = block((0.0, FOOT - GOING, 0.0), (EAST, FOOT, 0.05))
+        assert len(self.colliders(tmp_path, [*steps(), rail, post, low])) == RISES - 1 + 3
 
 
 def rings_of(ring) -> np.ndarray:

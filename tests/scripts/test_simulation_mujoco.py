@@ -15,6 +15,9 @@ import pytest
 from conftest import ROOT
 from simulation_reading import run
 
+from roomwright.checks.stairs import StairsOfLevel
+from roomwright.gltf_file import GltfFile
+
 mujoco = pytest.importorskip("mujoco", reason="mujoco is not installed (pip install -r scripts/requirements-simulation.txt)")
 
 PROGRAM = os.environ.get("ROOMWRIGHT_PROGRAM") or shutil.which("roomwright") or str(ROOT / "target/release/roomwright")
@@ -195,6 +198,24 @@ def test_a_ball_passes_an_open_door_and_no_shut_one(converted):
             if data.xpos[body][1] > 5.6:
                 break
         assert bool(data.xpos[body][1] > 5.5) is is_through, data.xpos[body]
+
+
+def test_a_box_rests_on_each_step(converted):
+    """A box of 10 cm, put down over the middle of each step of the house's flight, comes to lie on it."""
+    gltf = GltfFile(converted("mjcf").parents[1] / "out" / "house" / "ground.glb")
+    (stairs,) = StairsOfLevel(gltf).stairs
+    spec = mujoco.MjSpec.from_file(str(converted("mjcf") / "ground.xml"))
+    for number, step in enumerate(stairs.steps):
+        middle = step.tread.centroid
+        box = spec.worldbody.add_body(name=f"box {number}", pos=[middle.x, middle.y, step.top + 0.06])
+        box.add_freejoint()
+        box.add_geom(type=mujoco.mjtGeom.mjGEOM_BOX, size=[0.05, 0.05, 0.05], mass=1.0)
+    model = spec.compile()
+    data = mujoco.MjData(model)
+    for _ in range(STEPS):
+        mujoco.mj_step(model, data)
+    found = [data.xpos[model.body(f"box {number}").id][2] for number in range(len(stairs.steps))]
+    assert found == pytest.approx([step.top + 0.05 for step in stairs.steps], abs=2e-3)
 
 
 @pytest.mark.parametrize("options", [(), ("--movable",)])

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from conftest import build_floor, furniture
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics
+from stairs_house import ground
 from usd_reading import assert_same_meshes, assert_same_places, assert_valid, converted, mesh_prims, world_of
 
 from roomwright.gltf_file import GltfFile
@@ -125,6 +126,17 @@ class TestPhysics:
                   for mesh in meshes}
         assert shapes["floor_101"] == shapes["frame_door_d1"] == "none", "what stays collides as it is"
         assert (shapes["desk_1_101"], shapes["lamp_1_101"]) == ("convexDecomposition", "convexHull")
+
+    def test_stairs_are_named_and_collide_as_the_steps_that_they_are(self, tmp_path):
+        source = ground().write(tmp_path / "ground.glb")
+        stage = converted(source, tmp_path / "usd" / "ground.usdc", has_physics=True)
+        stairs = stage.GetPrimAtPath("/house_ground/room_hall/stairs_hall")
+        assert stairs.GetDisplayName() == "stairs@hall" and stairs.GetMetadata("kind") == "component"
+        assert list(stairs.GetAttribute("semantics:labels:class").Get()) == ["stairs"]
+        (mesh,) = mesh_prims(stairs)
+        # The hull of a flight is a ramp.
+        assert UsdPhysics.MeshCollisionAPI(mesh).GetApproximationAttr().Get() == "none"
+        assert not stairs.HasAPI(UsdPhysics.RigidBodyAPI) and mesh.HasAPI(UsdPhysics.CollisionAPI)
 
     def test_without_the_option_there_is_none(self, source, tmp_path):
         stage = converted(source, tmp_path / "ground.usdc")

@@ -1,6 +1,6 @@
 """Colliders, bodies, masses and joints, as UsdPhysics describes them; on request.
 
-  - Parts of the building, such as walls, floors and frames, collide as the triangles that they are.
+  - Parts of the building, such as walls, floors, stairs and frames, collide as the triangles that they are.
   - Each piece of furniture is a body of its own, at rest until something touches it. A piece that is mounted (see
     physics.json) or fixed to the building collides and does not move. USD has no bodies inside bodies: every piece is a child
     of its room here, also a piece on a desk. `parent` in the customData names the desk.
