@@ -15,7 +15,7 @@ For every .glb and .gltf:
   shell        no wall, column, frame or leaf reaches more than 1 cm into a room, a doorway or furniture, and walls stand at
                the edges of the floors
   stairs       the steps of a flight are equally high, at most 21 cm, up to its `height`, and without gaps; none lies within
-               60 cm of a door; 2 m above each are open
+               60 cm of a door; 2 m above each are open; steps and handrails are not inside out
   trimesh      trimesh loads the file with the same count of instances and the same bounds
   khronos      the Khronos validator reports no error and no warning
 A .glb of a tileset, or one without extras that names its pieces by features, is judged by `file`, `path`, `texture`, `khronos` and

@@ -199,6 +199,13 @@ class TestStoreys:
 class TestSolids:
     """Bodies that meet along edges."""
 
+    def test_faces_look_outwards(self, tmp_path):
+        rail = block((0.9, FOOT, 0.9), (0.95, HEAD, 1.0))
+        assert faults(ground([*steps(), rail]), tmp_path) == []
+        inverted = rail[[4, 5, 6, 7, 0, 1, 2, 3]]
+        assert faults(ground([*steps(), inverted]), tmp_path) == [
+            "the faces of 1 of its steps, posts and handrails look inwards"]
+
     def test_each_step_is_one(self, tmp_path):
         storey = ground()
         gltf = GltfFile(storey.write(tmp_path / "level.glb"))

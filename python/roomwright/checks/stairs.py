@@ -43,11 +43,17 @@ BALUSTRADE = 1.2
 
 
 @dataclass(eq=False)
-class Step:
-    """A step or a landing, in the scene's frame: x east, y up, z south."""
+class Solid:
+    """A step, a landing, a post or a piece of a handrail, in the scene's frame: x east, y up, z south."""
 
     corners: np.ndarray
     triangles: np.ndarray
+
+    @cached_property
+    def volume(self) -> float:
+        """Cubic metres; less than nothing where the faces look inwards."""
+        ring = self.corners[self.triangles] - self.corners.mean(axis=0)
+        return float(np.einsum("ij,ij->i", ring[:, 0], np.cross(ring[:, 1], ring[:, 2])).sum()) / 6.0
 
     @cached_property
     def bottom(self) -> float:
@@ -75,7 +81,8 @@ class Stairs:
 
     node: Node
     room: RoomFloor
-    steps: list[Step]  # the lowest first
+    steps: list[Solid]  # the lowest first
+    rails: list[Solid]  # with their posts
 
     @property
     def height(self) -> float:
@@ -103,11 +110,10 @@ class StairsOfLevel:
                 and schema.is_usable(node.extras)]
 
     def _stairs(self, node: Node) -> Stairs:
-        surfaces = [(placed(corners, node), triangles) for primitive in self.gltf.primitives(node.mesh)
-                    for corners, triangles in surfaces_of(primitive)]
-        steps = [Step(corners, triangles) for corners, triangles in surfaces if is_step(corners)]
-        steps.sort(key=lambda step: step.top)
-        return Stairs(node, self.rooms[node.parent.index], steps)
+        solids = [Solid(placed(corners, node), triangles) for primitive in self.gltf.primitives(node.mesh)
+                  for corners, triangles in surfaces_of(primitive)]
+        steps = sorted(filter(is_step, solids), key=lambda step: step.top)
+        return Stairs(node, self.rooms[node.parent.index], steps, [solid for solid in solids if not is_step(solid)])
 
     def floor_area(self, room: RoomFloor) -> shapely.Geometry:
         """What one stands on in a room, in the plan's axes."""
@@ -138,7 +144,7 @@ class StairsOfLevel:
     def openings(self) -> list[Node]:
         return self._usable("opening")
 
-    def is_at_doorway(self, room: RoomFloor, step: Step) -> bool:
+    def is_at_doorway(self, room: RoomFloor, step: Solid) -> bool:
         """Whether stairs begin or end at a step in a doorway of a room: the floor is behind it."""
         return any(doorway.is_end_of(step) for doorway in self.doorways(room))
 
@@ -167,7 +173,7 @@ class Doorway:
         inward = np.array([-along[1], along[0]]) * BEFORE_DOOR
         return shapely.Polygon([self.start, self.end, self.end + inward, self.start + inward]).intersection(self.room.outline)
 
-    def is_end_of(self, step: Step) -> bool:
+    def is_end_of(self, step: Solid) -> bool:
         """Whether stairs begin or end in it, at this step; not where a leaf opens over them."""
         leaves = [leaf["open"] for leaf in self.opening.extras.get("leaves", []) if "hinge" in leaf]
         if any(shapely.intersects_xy(self.room.outline.buffer(-NEAR), *place) for place in leaves):
@@ -189,8 +195,8 @@ def placed(corners: np.ndarray, node: Node) -> np.ndarray:
     return corners @ node.world[:3, :3].T + node.world[:3, 3]
 
 
-def is_step(corners: np.ndarray) -> bool:
-    area = shapely.MultiPoint(corners[:, [0, 2]]).minimum_rotated_rectangle
+def is_step(solid: Solid) -> bool:
+    area = shapely.MultiPoint(solid.corners[:, [0, 2]]).minimum_rotated_rectangle
     ring = shapely.get_coordinates(area)
     return area.geom_type == "Polygon" and bool(np.linalg.norm(np.diff(ring[:3], axis=0), axis=1).min() > NARROWEST_STEP)
 
@@ -198,6 +204,9 @@ def is_step(corners: np.ndarray) -> bool:
 def check_stairs(gltf: GltfFile) -> Iterator[Note]:
     level = StairsOfLevel(gltf)
     for stairs in level.stairs:
+        inverted = sum(solid.volume < 0.0 for solid in stairs.steps + stairs.rails)
+        if inverted:
+            yield note(stairs, f"the faces of {inverted} of its steps, posts and handrails look inwards")
         if stairs.steps:
             yield from check_rises(stairs)
             yield from check_joints(stairs, level)
@@ -235,7 +244,7 @@ def check_joints(stairs: Stairs, level: StairsOfLevel) -> Iterator[Note]:
             yield note(stairs, f"step {number} is {gap:.3f} m beside the one before it")
 
 
-def is_met(floor: shapely.Geometry, step: Step) -> bool:
+def is_met(floor: shapely.Geometry, step: Solid) -> bool:
     """Whether one steps over an edge of a step from a floor, or onto it."""
     return floor.buffer(NEAR, join_style="mitre").intersection(step.tread.exterior).length >= LEAST_MEETING
 
