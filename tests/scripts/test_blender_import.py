@@ -9,9 +9,11 @@ from roomwright.blender import extension
 from roomwright.blender.extension.errors import BakeError
 from blender_scene import HAS_BLENDER, PNG, census, needs_blender, storey, world_matrices, write_bake
 from conftest import glass
+from stairs_house import DEPTH, EAST, HEAD, RISES, STOREY, ground, upper
 
 if HAS_BLENDER:
     import bpy
+    from mathutils import Vector
     from roomwright.blender.extension.assets import CATALOG_FILE, catalog_id, write_catalog
     from roomwright.blender.extension.importing import import_bake
     from roomwright.blender.extension.options import Options
@@ -158,6 +160,26 @@ class TestBlender:
         bpy.ops.wm.read_factory_settings(use_empty=True)
         import_bake(bake, Options(place=False))
         assert world_matrices()["desk.1@101.001"][:3, 3] == pytest.approx([1.0, 0.4, 0.0], abs=1e-5)
+
+    def test_a_flight_leads_to_the_floor_of_the_level_above(self, tmp_path):
+        for storey, level in ((ground(), "ground"), (upper(), "upper")):
+            storey.write(tmp_path / f"{level}.glb")
+        import_bake(tmp_path)
+        stairs = bpy.data.objects["stairs@hall"]
+        assert [one.name for one in stairs.users_collection] == ["house/ground/hall shell"]
+        bpy.context.view_layer.update()
+        tops = sorted({round((stairs.matrix_world @ face.center).z, 3): stairs.matrix_world @ face.center
+                       for face in stairs.data.polygons if face.normal.z > 0.9}.items())
+        assert len(tops) == RISES - 1
+        for top, middle in tops:
+            assert self.first_hit(Vector((middle.x, middle.y, top + 0.01)), 1.0) in (None, ("ceiling@hall.001", 2 * STOREY - 0.3))
+        landing = Vector((EAST / 2, (HEAD + DEPTH) / 2, STOREY + 0.5))
+        assert self.first_hit(landing, -1.0) == ("floor@hall.001", pytest.approx(tops[-1][0] + STOREY / RISES, abs=1e-5))
+
+    def first_hit(self, start, up: float) -> tuple[str, float] | None:
+        """What a ray along the vertical meets first, and at which height."""
+        is_hit, place, _, _, thing, _ = bpy.context.scene.ray_cast(bpy.context.evaluated_depsgraph_get(), start, (0, 0, up))
+        return (thing.name, pytest.approx(place.z, abs=1e-5)) if is_hit else None
 
     def test_ceilings_are_hidden_and_shown_again(self, bake):
         import_bake(bake, Options(ceilings=False))

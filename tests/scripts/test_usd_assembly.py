@@ -7,9 +7,11 @@ import numpy as np
 import pytest
 from conftest import build_floor
 from pxr import Gf, Usd, UsdGeom
-from usd_reading import assert_valid, world_of
+from stairs_house import RISES, STOREY, ground, upper
+from usd_reading import assert_valid, mesh_prims, world_of, world_points
 
 from roomwright import convert
+from roomwright.checks.undersides import area_above
 from roomwright.gltf_file import GltfFile
 
 # The site of the second building: east and north in metres, radians counter-clockwise.
@@ -50,6 +52,24 @@ def test_a_building_has_its_floors_at_their_elevations(site, tmp_path):
     assert [floor.GetName() for floor in floors] == ["cellar", "ground", "upper"], "lowest first"
     assert [world_of(floor)[1, 3] for floor in floors] == [-2.5, 0.0, 3.0]
     assert all(floor.HasPayload() and floor.GetCustomDataByKey("kind") == "level" for floor in floors)
+
+
+def test_a_flight_leads_to_the_floor_of_the_level_above(tmp_path):
+    (tmp_path / "in" / "house").mkdir(parents=True)
+    for storey, level in ((ground(), "ground"), (upper(), "upper")):
+        storey.write(tmp_path / "in" / "house" / f"{level}.glb")
+    assert convert.main([str(tmp_path / "in"), "--out", str(tmp_path / "usd")]) == 0
+    stage = Usd.Stage.Open(str(tmp_path / "usd" / "house" / "building.usda"))
+    stairs, floor = (triangles_of(stage, f"/house/{path}_hall") for path in ("ground/room_hall/stairs", "upper/room_hall/floor"))
+    assert stairs[:, :, 1].max() + STOREY / RISES == pytest.approx(floor[:, :, 1].max(), abs=1e-5) == STOREY
+    flight, floor_area = area_above(stairs), area_above(floor)
+    assert flight.intersection(floor_area).area < 1e-5 and flight.distance(floor_area) < 1e-5
+
+
+def triangles_of(stage: Usd.Stage, path: str) -> np.ndarray:
+    """The triangles of a node's mesh in the building, n x 3 x 3."""
+    (mesh,) = mesh_prims(stage.GetPrimAtPath(path))
+    return world_points(mesh).reshape(-1, 3, 3)
 
 
 @pytest.mark.parametrize("axis", ["Y", "Z"])
