@@ -28,7 +28,7 @@ def free_depth(room: Room, piece: Piece, zone: shapely.Polygon, outward: np.ndar
     edge = float(max(shapely.get_coordinates(piece.footprint) @ outward))
     start = min(edge, float(min(shapely.get_coordinates(zone) @ outward)) + 1e-6)
     found = [(reach(zone.difference(opened(room)), outward) - start, "a wall")]
-    found += [(reach(zone.intersection(shape), outward) - start, "a column") for shape, _ in room.columns]
+    found += [(reach(zone.intersection(shape), outward) - start, "a column or stairs") for shape, _ in room.columns]
     for other in room.pieces:
         if other is piece or other.id in ignored or other.carrier is not None or not other.footprint.intersects(zone):
             continue

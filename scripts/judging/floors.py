@@ -60,7 +60,8 @@ class Room:
     height: float
     extras: dict
     pieces: list[Piece] = field(default_factory=list)
-    columns: list[tuple[shapely.Polygon, float]] = field(default_factory=list)  # shape from above, height
+    # Columns, flights and wells: shape from above, height. Nothing stands there, and the floor beside them is what one walks on.
+    columns: list[tuple[shapely.Polygon, float]] = field(default_factory=list)
     drawn: list[Drawn] = field(default_factory=list)
     walkable: dict[tuple[float, bool], list[shapely.Polygon]] = field(default_factory=dict)  # clear.py keeps it
 

@@ -24,7 +24,7 @@ def height_of_cut(thing, chain: list, camera: Camera, cuts: dict[str, float]) ->
     number = str(thing.get("id", "")).partition(".")[2].partition(".")[0]
     if part in ("wall", "socket", "switch") and number.isdigit():
         return camera.cuts.get((parent["room"], int(number)))
-    # Columns and the like end where the walls do, where all walls end.
+    # Columns and the like end where the walls do, where all walls end; so do flights, as in drawn plans.
     return max(camera.cuts.values(), default=None) if camera.view == "top" else None
 
 
