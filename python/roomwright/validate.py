@@ -10,7 +10,7 @@ For every .glb and .gltf:
   names        every node has a name of its own
   extras       the extras of every node are as configs/schema/extras.schema.json says; names, parents and counts agree
   geometry     each object's mesh fills its `size`, is closed, has no empty faces and no wrong normals
-  containment  each object lies inside its room and outside of the room's columns
+  containment  each object lies inside its room and outside of the room's columns and stairs
   collision    no object overlaps another, measured on the triangles
   shell        no wall, column, frame or leaf reaches more than 1 cm into a room, a doorway or furniture, and walls stand at
                the edges of the floors

@@ -105,7 +105,7 @@ def footprint(corners: np.ndarray) -> shapely.Geometry:
 
 
 def column_nodes(gltf: GltfFile) -> dict[int, list[Node]]:
-    """The columns of each room that say where they are, by the room's node."""
+    """What stands in each room and says where, by the room's node: columns, and flights and wells, in which nothing may stand."""
     columns: dict[int, list[Node]] = {}
     for node in gltf.nodes:
         if node.kind == "part" and {"outline", "height"} <= node.extras.keys() and node.parent is not None:
