@@ -32,7 +32,7 @@ For every manifest.json:
   manifest     it is as configs/schema/manifest.schema.json says, each listed file exists with its size and hash, and no
                other level is in the folder
   stairs       in a building of several levels, each flight ends at a floor of the level above, which is open over it; in the
-               floors are no other holes, and none within 60 cm of a door
+               floors are no other holes, none within 60 cm of a door, and none without a balustrade
 
 Needs the extra `validate` (scripts/requirements.txt), and for `khronos` also Node and `npm ci` in roomwright/khronos/.
 Faults go to standard output as FILE: [CODE] NODE: MESSAGE (or as one JSON document with --json), progress to

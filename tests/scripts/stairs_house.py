@@ -111,11 +111,16 @@ def ground(bodies: list[np.ndarray] | None = None, height: float = STOREY, ceili
     return storey
 
 
-def upper(floor=None, elevation: float = STOREY) -> Storey:
+def balustrade() -> list[np.ndarray]:
+    """East and south of the hole; walls are in the west, and the flight ends in the north."""
+    return [block((EAST - 0.05, FOOT, -0.02), (EAST - 0.01, HEAD, 0.95)), block((WEST, FOOT, -0.02), (EAST, FOOT + 0.04, 0.95))]
+
+
+def upper(floor=None, elevation: float = STOREY, rails=None) -> Storey:
     storey = Storey("upper", elevation)
     storey.slab("floor", around() if floor is None else floor, -0.02, 0.0)
     storey.slab("ceiling", WHOLE, CEILING, STOREY - 0.02)
-    storey.stairs([block((EAST - 0.05, FOOT, -0.02), (EAST - 0.01, HEAD, 0.95))], 0.95)
+    storey.stairs(balustrade() if rails is None else rails, 0.95)
     return storey
 
 

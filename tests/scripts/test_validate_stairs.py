@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-from stairs_house import (CEILING, DEPTH, EAST, FOOT, GOING, HEAD, RISES, STOREY, WHOLE, Storey, around, block, ground, sloped, steps,
-                          upper, write_house)
+from stairs_house import (CEILING, DEPTH, EAST, FOOT, GOING, HEAD, RISES, STOREY, WHOLE, Storey, around, balustrade, block, ground,
+                          sloped, steps, upper, write_house)
 
 from roomwright import validate
 from roomwright.checks.bodies import solids_of
@@ -174,8 +174,10 @@ class TestStoreys:
         assert found[0] == "it ends at 2.800 m, the floor of 1 is at 2.700 m"
 
     def test_a_bake_may_lack_the_level_above(self, tmp_path):
-        assert faults_of_house(tmp_path, ground(), upper(elevation=2 * STOREY)) == [
-            f"the floor has a hole at ({EAST / 2:.3f}, {(FOOT + HEAD) / 2:.3f}), and no steps come up there"]
+        found = faults_of_house(tmp_path, ground(), upper(elevation=2 * STOREY))
+        assert found[0] == f"the floor has a hole at ({EAST / 2:.3f}, {(FOOT + HEAD) / 2:.3f}), and no steps come up there"
+        # Nothing is said of the flight itself.
+        assert len(found) == 2 and "have no balustrade" in found[1]
         assert faults_of_house(tmp_path, ground()) == []
 
     def test_nothing_stands_over_the_flight(self, tmp_path):
@@ -185,8 +187,18 @@ class TestStoreys:
         assert len(found) == 1 and found[0].startswith("lamp.1@hall of 1 is 0.200 m above step 13")
 
     def test_a_hole_has_steps(self, tmp_path):
-        found = faults_of_house(tmp_path, ground(), upper(around(FOOT - 0.3)))
+        found = faults_of_house(tmp_path, ground(), upper(around(FOOT - 0.1)))
         assert len(found) == 1 and "and no steps come up there" in found[0]
+
+    @pytest.mark.parametrize(("kept", "length"), [((0, 1), 0.0), ((0,), 0.69), ((1,), 2.58)])
+    def test_a_well_has_a_balustrade(self, tmp_path, kept, length):
+        found = faults_of_house(tmp_path, ground(), upper(rails=[balustrade()[number] for number in kept]))
+        assert len(found) == (length > 0.0)
+        assert all(f"{length:.2f} m of the edge of its well have no balustrade" in message for message in found)
+
+    def test_a_low_rail_is_no_balustrade(self, tmp_path):
+        low = [rail - np.where(rail[:, 2:] > 0.5, (0.0, 0.0, 0.2), 0.0) for rail in balustrade()]
+        assert len(faults_of_house(tmp_path, ground(), upper(rails=low))) == 1
 
     def test_a_file_that_cannot_be_read_is_the_task_of_others(self, tmp_path):
         manifest = write_house(tmp_path, ground(), upper(WHOLE))

@@ -56,6 +56,11 @@ class Solid:
         return float(np.einsum("ij,ij->i", ring[:, 0], np.cross(ring[:, 1], ring[:, 2])).sum()) / 6.0
 
     @cached_property
+    def shape(self) -> shapely.Geometry:
+        """Its hull from above, in the plan's axes."""
+        return shapely.MultiPoint(self.corners[:, [0, 2]] * (1, -1)).convex_hull
+
+    @cached_property
     def bottom(self) -> float:
         return float(self.corners[:, 1].min())
 
@@ -196,7 +201,7 @@ def placed(corners: np.ndarray, node: Node) -> np.ndarray:
 
 
 def is_step(solid: Solid) -> bool:
-    area = shapely.MultiPoint(solid.corners[:, [0, 2]]).minimum_rotated_rectangle
+    area = solid.shape.minimum_rotated_rectangle
     ring = shapely.get_coordinates(area)
     return area.geom_type == "Polygon" and bool(np.linalg.norm(np.diff(ring[:3], axis=0), axis=1).min() > NARROWEST_STEP)
 

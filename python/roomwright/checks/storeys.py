@@ -21,9 +21,13 @@ from ..workers import outcomes
 from .manifest import SCENE_ENDINGS
 from .report import Fault, Note
 from .schemas import extras_schemas
-from .stairs import BEFORE_DOOR, LEAST_AREA, NEAR, Stairs, StairsOfLevel, is_met, low_places, note, place_of
+from .stairs import BEFORE_DOOR, LEAST_AREA, NEAR, Solid, Stairs, StairsOfLevel, is_met, low_places, note, place_of
 from .undersides import Undersides
 
+# Metres within which a wall, a step or a handrail stands at an edge of a hole, and heights between which handrails of a
+# balustrade reach.
+AT_EDGE = 0.13
+BALUSTRADE = (0.85, 0.96)
 # Metres by which the end of stairs may miss the floor above: elevations have millimetres.
 LEVEL_WITH = 0.005
 
@@ -115,7 +119,20 @@ def check_holes(storey: Storey, storeys: list[Storey]) -> Iterator[Note]:
         if left.area > LEAST_AREA:
             yield note(stairs, f"the floor has a hole at {place_of(left)}, and no steps come up there")
         ends = [flight.steps[-1] for flight in flights] + stairs.steps[:1]
+        yield from check_edge(stairs, hole, ends)
         for doorway in storey.level.doorways(stairs.room):
             met = doorway.zone.intersection(hole)
             if met.area > LEAST_AREA and not any(doorway.is_end_of(step) for step in ends):
                 yield note(stairs, f"the floor has a hole within {BEFORE_DOOR} m of {doorway.opening.name} at {place_of(met)}")
+
+
+def check_edge(stairs: Stairs, hole: shapely.Geometry, ends: list[Solid]) -> Iterator[Note]:
+    """A balustrade along the edge of a hole, but for where a wall stands and where stairs begin and end."""
+    low, high = BALUSTRADE
+    rails = [rail.shape for rail in stairs.rails if rail.bottom < high and rail.top > low]
+    closed = [stairs.room.outline.boundary, *(step.tread for step in ends), *rails]
+    # Without the slivers that rounding leaves along walls.
+    edge = hole.buffer(-NEAR / 2).buffer(NEAR / 2).boundary
+    left = edge.difference(shapely.union_all([shape.buffer(AT_EDGE) for shape in closed]))
+    if left.length > AT_EDGE:
+        yield note(stairs, f"{left.length:.2f} m of the edge of its well have no balustrade, at {place_of(left)}")
