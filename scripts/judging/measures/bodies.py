@@ -158,8 +158,8 @@ def overhang(piece: Piece, carrier: Piece) -> float:
 MEASURES = [
     Measure("collision", "no two pieces are in each other", "m", "1 mm, and 1.5 mm of each model", "QUALITY §1; SceneEval",
             judge_collision, audit="collision"),
-    Measure("out_of_room", "every piece is inside outline, floor and ceiling, and in no column, flight or well", "", "5 mm", "QUALITY §1",
-            judge_outside, audit="out_of_room"),
+    Measure("out_of_room", "every piece is inside outline, floor and ceiling, and in no column, flight or well", "", "5 mm",
+            "QUALITY §1", judge_outside, audit="out_of_room"),
     Measure("floating", "every piece touches what it stands or hangs on", "m", "≤ 1 cm", "QUALITY §1", judge_floating,
             audit="floating"),
     Measure("unsupported", "no piece hangs over the edge of what it stands on", "share", "≤ 10 %", "QUALITY §1",
