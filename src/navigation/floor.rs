@@ -191,7 +191,7 @@ fn face(room: &Room, side: &OpeningSide) -> [Point; 2] {
     [side.from, side.to].map(|along| wall.after(along))
 }
 
-/// What is in the way of an agent in a room: furniture, columns, and leaves of doors that stand open in it.
+/// What is in the way of an agent in a room: furniture, columns, stairs, on which its floor ends, and leaves of doors that stand open in it.
 fn bodies(
     level: &Level,
     (index, room): (usize, &Room),
@@ -211,5 +211,7 @@ fn bodies(
     let here = |leaf: &Point| level.rooms[index].region.contains(*leaf);
     let open = leaves.filter(|leaf| here(&leaf.open_tip)).filter_map(|leaf| leaf.standing_open());
     let leaves = open.map(|[leaf, _handle]| Body::new(&leaf));
-    pieces.chain(columns).chain(leaves).collect()
+    let stairs = level.stairs_of(index).and_then(|stairs| stairs.footprint());
+    let stairs = stairs.map(|footprint| Body::new(footprint.corners()));
+    pieces.chain(columns).chain(stairs).chain(leaves).collect()
 }

@@ -17,8 +17,10 @@ use super::spine::{Ground, cut_along, extent, turned_ring_back};
 use super::thin::{Rules, has_thin_parts, trade_thin_parts};
 use super::typology::{PlanKind, Typologies};
 
-/// Metres of the strip with the stairs.
+/// Metres of the strip with the stairs; where there is a lift behind them, a way to it leads past.
 const STAIRS_WIDTH: f64 = 2.7;
+/// See [`STAIRS_WIDTH`].
+const STAIRS_AND_WAY_WIDTH: f64 = 3.05;
 /// Metres of the stairs and their landing into the building.
 const STAIRS_DEPTH: f64 = 5.2;
 /// Metres of a lift into the building.
@@ -312,18 +314,19 @@ impl Core {
 fn cores(ground: &Ground, storeys: u32) -> Vec<Core> {
     let (left, right) = extent(&ground.ring, Axis::X);
     let width = right - left;
+    let strip = if storeys >= LIFT_STOREYS { STAIRS_AND_WAY_WIDTH } else { STAIRS_WIDTH };
     let mut places = Vec::new();
     if area(&ground.ring) >= TWO_FLATS && width > 11.0 {
-        places.extend([0.5, 0.42, 0.58].map(|share| left + width * share - STAIRS_WIDTH / 2.0));
-        places.extend(inner_corners(&ground.ring).map(|corner| corner.x).flat_map(|x| [x, x - STAIRS_WIDTH]));
+        places.extend([0.5, 0.42, 0.58].map(|share| left + width * share - strip / 2.0));
+        places.extend(inner_corners(&ground.ring).map(|corner| corner.x).flat_map(|x| [x, x - strip]));
     }
-    places.extend([left - 0.1, right - STAIRS_WIDTH + 0.1, left + 0.5 * width - STAIRS_WIDTH / 2.0]);
-    places.retain(|from| *from >= left - 0.2 && from + STAIRS_WIDTH <= right + 0.2);
+    places.extend([left - 0.1, right - strip + 0.1, left + 0.5 * width - strip / 2.0]);
+    places.retain(|from| *from >= left - 0.2 && from + strip <= right + 0.2);
     places.truncate(8);
     let mut found = Vec::new();
     for from in places {
         for is_top in [false, true] {
-            found.extend(core(ground, from, is_top, storeys));
+            found.extend(core(ground, (from, from + strip), is_top, storeys));
         }
     }
     // Where the entrance is, else on the street.
@@ -337,8 +340,8 @@ fn cores(ground: &Ground, storeys: u32) -> Vec<Core> {
     found
 }
 
-fn core(ground: &Ground, from: f64, is_top: bool, storeys: u32) -> Option<Core> {
-    let (slices, crumbs) = cut_along(std::slice::from_ref(&ground.ring), &[from, from + STAIRS_WIDTH]);
+fn core(ground: &Ground, (from, to): (f64, f64), is_top: bool, storeys: u32) -> Option<Core> {
+    let (slices, crumbs) = cut_along(std::slice::from_ref(&ground.ring), &[from, to]);
     let [left, middle, right] = slices.try_into().ok()?;
     if middle.is_empty() || crumbs.iter().map(|ring| area(ring)).sum::<f64>() > 1.0 {
         return None;

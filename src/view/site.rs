@@ -7,7 +7,7 @@ use serde::Serialize;
 use crate::audit::Code;
 use crate::catalog::Catalog;
 use crate::contract::Closure;
-use crate::geometry::{Bounds, Point};
+use crate::geometry::{Bounds, Point, Polygon};
 use crate::output::LevelOptions;
 use crate::plan::{Building, Level, Opening, Plan, Room};
 use crate::scene::closure;
@@ -119,7 +119,7 @@ struct RoomAnswer<'a> {
     height: f64,
     outline: Vec<[f64; 2]>,
     holes: Vec<Vec<[f64; 2]>>,
-    /// Outlines of columns and other fixed bodies.
+    /// Outlines of columns and other fixed bodies, and of stairs.
     obstacles: Vec<Vec<[f64; 2]>>,
     /// The rooms of the next levels that stairs or a lift lead to.
     above: Option<&'a str>,
@@ -170,7 +170,7 @@ pub(super) fn level<'a>(
             below: below.map(|(_, room)| room),
             above_level: above.map(|(level, _)| level),
             below_level: below.map(|(level, _)| level),
-            ..room_answer(found)
+            ..room_answer(found, level.stairs_of(room).and_then(|stairs| stairs.footprint()))
         }
     });
     LevelAnswer {
@@ -185,9 +185,10 @@ pub(super) fn level<'a>(
     }
 }
 
-fn room_answer(room: &Room) -> RoomAnswer<'_> {
+fn room_answer<'a>(room: &'a Room, stairs: Option<&Polygon>) -> RoomAnswer<'a> {
     let Room { id, name, room_type, height, region, obstacles, .. } = room;
     let ring = |corners: &[Point]| -> Vec<[f64; 2]> { corners.iter().copied().map(pair).collect() };
+    let bodies = obstacles.iter().map(|obstacle| &obstacle.outline).chain(stairs);
     RoomAnswer {
         id,
         name: name.as_deref(),
@@ -195,7 +196,7 @@ fn room_answer(room: &Room) -> RoomAnswer<'_> {
         height: *height,
         outline: ring(region.outline.corners()),
         holes: region.holes.iter().map(|hole| ring(hole.corners())).collect(),
-        obstacles: obstacles.iter().map(|obstacle| ring(obstacle.outline.corners())).collect(),
+        obstacles: bodies.map(|outline| ring(outline.corners())).collect(),
         above: None,
         below: None,
         above_level: None,

@@ -24,6 +24,15 @@ pub struct Flight {
     pub handrails: Vec<Vec<RailPoint>>,
 }
 
+impl Stairs {
+    /// What they take of the floor on which nobody walks: under the steps up, or the hole that one comes up through.
+    #[must_use]
+    pub fn footprint(&self) -> Option<&Polygon> {
+        let flight = self.up.as_ref().map(|flight| &flight.opening);
+        flight.or(self.well.as_ref().map(|well| &well.opening))
+    }
+}
+
 impl Flight {
     /// The edges that one steps over on the way up, but for that of the upper floor.
     #[must_use]

@@ -21,7 +21,7 @@ use super::{INSET, SLAB, Shape};
 use crate::catalog::PaletteRef;
 use crate::contract::{Extras, Part, PartExtras, PartId, owned_name};
 use crate::geometry::{Convex, Point, Polygon, Region};
-use crate::plan::{Level, Room, Stairs, Wall, WallKind, region_without};
+use crate::plan::{Flight, Level, Room, Stairs, Wall, WallKind, region_without};
 use crate::recipes::{GeometrySet, Slot};
 use crate::scene::axes::{Pose, angle_facing};
 use crate::scene::extras::{corners, rounded};
@@ -238,14 +238,12 @@ impl RoomParts<'_, '_, '_> {
 
     /// Steps up, and the balustrade around the hole that one comes up through. Its outline is what it takes of the floor.
     fn stairs(&mut self, stairs: Option<&Stairs>, slot: Slot) {
-        let Some(Stairs { up, well, .. }) = stairs else { return };
-        let flight = up.as_ref().map(|flight| (&flight.opening, flight.rise()));
-        let Some((outline, height)) = flight.or(well.as_ref().map(|well| (&well.opening, RAIL_HEIGHT)))
-        else {
-            return;
-        };
+        let Some(stairs) = stairs else { return };
+        let Some(outline) = stairs.footprint() else { return };
+        let (up, well) = (stairs.up.as_ref(), stairs.well.as_ref());
+        let height = up.map_or(RAIL_HEIGHT, Flight::rise);
         let anchor = self.room.region.outline.corners()[0];
-        let shape = StairsShape::of(up.as_ref(), well.as_ref(), anchor, slot);
+        let shape = StairsShape::of(up, well, anchor, slot);
         let extras = PartExtras {
             outline: Some(corners(outline)),
             height: Some(rounded(height)),
