@@ -275,42 +275,39 @@ impl<'r> Walls<'r> {
 impl Heading {
     /// The places of a design: between two walls or at one, with the back at a wall, or a way between.
     fn places(&self, design: &Design, rise: f64) -> impl Iterator<Item = Fitted> {
-        let mut places = Vec::new();
-        let is_within = |axis: usize, from: f64, to: f64| {
-            from >= self.extent[axis].0 - TOLERANCE && to <= self.extent[axis].1 + TOLERANCE
-        };
+        let across = self.across;
         // The same seen in a mirror is the same.
         let hands: &[bool] = if design.kind == Kind::Straight { &[false] } else { &[false, true] };
-        let mut add = |form: Form, left: f64| {
-            if !is_within(0, left, left + form.width) {
-                return;
-            }
-            for &end in &self.ends {
-                for from in [end - form.length, end - WAY - form.length, end, end + WAY, end + LANDING] {
-                    if !is_within(1, from, from + form.length) {
-                        continue;
-                    }
-                    let origin = self.across * left + self.across.perp() * from;
-                    for &is_mirrored in hands {
-                        let frame = Frame { origin, across: self.across, width: form.width, is_mirrored };
-                        places.push(Fitted { form, frame });
-                    }
-                }
-            }
-        };
-        for &left in &self.sides {
-            for &right in &self.sides {
-                if let Some(form) = design.across(right - left, rise) {
-                    add(form, left);
-                }
-            }
-        }
-        for form in design.lanes.iter().filter_map(|&lane| design.form(lane, rise)) {
-            for &side in &self.sides {
-                add(form, side);
-                add(form, side - form.width);
-            }
-        }
-        places.into_iter()
+        let lines = self.forms(design, rise).into_iter().flat_map(move |(form, left)| {
+            self.starts(form.length).into_iter().map(move |from| (form, across * left + across.perp() * from))
+        });
+        lines.flat_map(move |(form, origin)| {
+            let frame = move |&is_mirrored| Frame { origin, across, width: form.width, is_mirrored };
+            hands.iter().map(move |hand| Fitted { form, frame: frame(hand) })
+        })
+    }
+
+    /// The forms of a design, each with the metres along `across` where it begins.
+    fn forms(&self, design: &Design, rise: f64) -> Vec<(Form, f64)> {
+        let sides = || self.sides.iter().copied();
+        let between = sides().flat_map(|left| {
+            sides().filter_map(move |right| Some((design.across(right - left, rise)?, left)))
+        });
+        let usual = design.lanes.iter().filter_map(|&lane| design.form(lane, rise));
+        let at_walls = usual.flat_map(|form| {
+            sides().flat_map(move |side| [side, side - form.width].map(|left| (form, left)))
+        });
+        between.chain(at_walls).filter(|(form, left)| self.holds(0, *left, form.width)).collect()
+    }
+
+    /// Metres along the way up where stairs of a length may begin.
+    fn starts(&self, length: f64) -> Vec<f64> {
+        let starts = |&end: &f64| [end - length, end - WAY - length, end, end + WAY, end + LANDING];
+        self.ends.iter().flat_map(starts).filter(|from| self.holds(1, *from, length)).collect()
+    }
+
+    fn holds(&self, axis: usize, from: f64, length: f64) -> bool {
+        let (low, high) = self.extent[axis];
+        from >= low - TOLERANCE && from + length <= high + TOLERANCE
     }
 }

@@ -17,8 +17,8 @@ pub(crate) use joined::{joined_rooms, middle, neighbours};
 use std::collections::BTreeMap;
 
 use super::digest::level_digest;
-use super::{Level, Room, Shared};
-use crate::geometry::{Point, Polygon, Segment, edges};
+use super::{Level, OpeningKind, Room, Shared, Wall};
+use crate::geometry::{Intervals, Point, Polygon, Segment, edges};
 use fit::{Fitted, Storey, fit};
 
 /// The type of rooms that hold stairs.
@@ -81,10 +81,10 @@ fn through(levels: &[Level], run: &[Place]) -> Vec<(usize, Stairs)> {
     let storeys = distinct(levels, run);
     let Some(fitted) = fit(&storeys, highest) else { return Vec::new() };
     let stairs = |(at, &(level, room)): (usize, &Place)| {
-        let here = &levels[level].rooms[room];
-        let up = (at + 1 < run.len()).then(|| flight(&fitted, here, rise(at))).flatten();
-        let below = (at > 0).then(|| flight(&fitted, here, rise(at - 1))).flatten();
-        let well = below.map(|flight| well(&fitted, here, flight, up.is_some()));
+        let walls = &solid_walls(&levels[level], &levels[level].rooms[room]);
+        let up = (at + 1 < run.len()).then(|| flight(&fitted, walls, rise(at))).flatten();
+        let below = (at > 0).then(|| flight(&fitted, walls, rise(at - 1))).flatten();
+        let well = below.map(|flight| well(&fitted, walls, flight, up.is_some()));
         (level, Stairs { room, up, well })
     };
     run.iter().enumerate().map(stairs).collect()
@@ -110,7 +110,7 @@ fn distinct<'l>(levels: &'l [Level], run: &[Place]) -> Vec<Storey<'l>> {
 }
 
 /// The steps of a rise.
-fn flight(fitted: &Fitted, room: &Room, rise: f64) -> Option<Flight> {
+fn flight(fitted: &Fitted, walls: &[Segment], rise: f64) -> Option<Flight> {
     let Fitted { form, frame } = fitted;
     let (local, rails) = form.steps(rise);
     let each = rise / (local.len() + 1) as f64;
@@ -126,7 +126,7 @@ fn flight(fitted: &Fitted, room: &Room, rise: f64) -> Option<Flight> {
         (points.collect::<Vec<RailPoint>>(), rail.is_outer)
     };
     let is_free = |(points, is_outer): &(Vec<RailPoint>, bool)| {
-        points.len() > 1 && !(*is_outer && points.iter().all(|point| is_at_wall(room, point.at)))
+        points.len() > 1 && !(*is_outer && points.iter().all(|point| is_at_wall(walls, point.at)))
     };
     Some(Flight {
         steps: local.into_iter().enumerate().map(step).collect(),
@@ -136,17 +136,15 @@ fn flight(fitted: &Fitted, room: &Room, rise: f64) -> Option<Flight> {
 }
 
 /// The hole that a flight from below comes through.
-fn well(fitted: &Fitted, room: &Room, flight: Flight, goes_on: bool) -> Well {
+fn well(fitted: &Fitted, walls: &[Segment], flight: Flight, goes_on: bool) -> Well {
     let Fitted { form, frame } = fitted;
     let ring = frame.ring(&form.ring());
     let [foot, head] = [form.foot(), form.head()].map(|edge| frame.segment(edge));
     let is_same = |one: Segment, other: Segment| one.middle().distance(other.middle()) < 0.01;
     let is_guarded = |edge: &Segment| {
         let is_passed = is_same(*edge, head) || goes_on && is_same(*edge, foot);
-        !is_passed
-            && !(is_at_wall(room, edge.start)
-                && is_at_wall(room, edge.middle())
-                && is_at_wall(room, edge.end))
+        let is_at_wall = [edge.start, edge.middle(), edge.end].iter().all(|at| is_at_wall(walls, *at));
+        !is_passed && !is_at_wall
     };
     let guards = edges(&ring).filter(is_guarded).collect();
     Well { nosings: flight.nosings(), opening: flight.opening, guards }
@@ -156,6 +154,20 @@ fn opening(fitted: &Fitted) -> Option<Polygon> {
     Polygon::new(&fitted.frame.ring(&fitted.form.ring())).ok()
 }
 
-fn is_at_wall(room: &Room, at: Point) -> bool {
-    room.region.borders().any(|border| border.distance(at) <= AT_WALL)
+/// The stretches of a room's borders at which something stands: there, stairs need no handrail.
+fn solid_walls(level: &Level, room: &Room) -> Vec<Segment> {
+    let stretches = |(number, wall): (usize, &Wall)| {
+        let mut solid = Intervals::new(0.0, wall.length());
+        for at in room.openings.iter().filter(|at| at.wall == number) {
+            if matches!(level.openings[at.opening].kind, OpeningKind::OpenBoundary | OpeningKind::Passage) {
+                solid.subtract(at.from, at.to);
+            }
+        }
+        solid.as_slice().iter().map(|&(from, to)| wall.stretch(from, to)).collect::<Vec<Segment>>()
+    };
+    room.walls.iter().enumerate().flat_map(stretches).collect()
+}
+
+fn is_at_wall(walls: &[Segment], at: Point) -> bool {
+    walls.iter().any(|wall| wall.distance(at) <= AT_WALL)
 }
