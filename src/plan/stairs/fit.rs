@@ -20,6 +20,8 @@ const MOST_WALLS: usize = 8;
 const SHORTEST_WALL: f64 = 0.5;
 /// The sine of the angle below which walls run the same way.
 const PARALLEL: f64 = 0.01;
+/// The same for walls that stairs are built against: they touch a wall that is a little askew at one of its ends.
+const NEARLY_PARALLEL: f64 = 0.07;
 /// Metres behind stairs that a way along the far wall takes.
 const WAY: f64 = 1.1;
 /// Borders of a room and places tried in it, at most: a rectangle has some six thousand.
@@ -253,12 +255,10 @@ impl<'r> Walls<'r> {
     fn heading(&self, across: Point) -> Heading {
         let places = |axis: Point| {
             let mut places: Vec<f64> = Vec::new();
-            for wall in &self.walls {
-                let at = wall.middle().dot(axis);
-                if wall.direction().dot(axis).abs() <= PARALLEL
-                    && places.iter().all(|other| (other - at).abs() > TOLERANCE)
-                    && places.len() < MOST_WALLS
-                {
+            let along = |wall: &&Segment| wall.direction().dot(axis).abs() <= NEARLY_PARALLEL;
+            for at in self.walls.iter().filter(along).flat_map(|wall| [wall.start, wall.end]) {
+                let at = at.dot(axis);
+                if places.iter().all(|other| (other - at).abs() > TOLERANCE) && places.len() < MOST_WALLS {
                     places.push(at);
                 }
             }

@@ -94,7 +94,7 @@ impl Shape {
             Self::Slab(slab) => vec![slab.build()],
             Self::Wall(wall) => wall.build().into(),
             Self::Railing(railing) => vec![railing.build(-SLAB)],
-            Self::Stairs(stairs) => stairs.build().into(),
+            Self::Stairs(stairs) => stairs.build(INSET - SLAB).into(),
             Self::Skirting(skirting) => vec![skirting.build()],
             Self::Fitting(fitting, slot) => fitting.build(*slot).into(),
             Self::Threshold(reveal, slot) => vec![reveal.threshold(-SLAB, *slot)],

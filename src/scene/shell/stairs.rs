@@ -2,7 +2,6 @@
 
 use glam::Vec3;
 
-use super::SLAB;
 use super::slab::scene_corner;
 use super::slots::RAILING_SLOT;
 use super::solid::Solid;
@@ -57,12 +56,14 @@ impl StairsShape {
         Self { steps, rails: rails.collect(), slot }
     }
 
-    /// The closed bodies: steps, and what is of metal.
-    pub(crate) fn build(&self) -> [Solid; 2] {
+    /// The closed bodies: steps, and what is of metal. The first steps stand in the floor, down to `bottom`, and posts as deep in
+    /// what they stand on: faces in one plane flicker.
+    pub(crate) fn build(&self, bottom: Ticks) -> [Solid; 2] {
         let (mut steps, mut rails) = (Solid::new(self.slot), Solid::new(RAILING_SLOT));
-        self.steps.iter().for_each(|step| step.build(&mut steps));
+        self.steps.iter().for_each(|step| step.build(bottom, &mut steps));
         for rail in &self.rails {
-            rail.iter().for_each(|&post| self::post(post, &mut rails));
+            rail.iter()
+                .for_each(|&(at, foot)| post(at, [foot + bottom, foot + Ticks::of(RAIL_HEIGHT)], &mut rails));
             rail.windows(2).for_each(|ends| handrail([ends[0], ends[1]], &mut rails));
         }
         [steps, rails]
@@ -89,19 +90,18 @@ impl StepShape {
                 2 | 3 => WAIST,
                 _ => WAIST + step.rise / 2.0,
             };
-            // The first steps stand in the floor: faces in one plane flicker.
-            Ticks::of(step.top - below).max(Ticks(-SLAB.0 / 2))
+            Ticks::of(step.top - below)
         };
         let corners = step.corners.iter().enumerate();
         let corners = corners.map(|(number, &corner)| (point_in_ticks(corner, anchor), under(number)));
         Self { corners: corners.collect(), top: Ticks::of(step.top) }
     }
 
-    fn build(&self, solid: &mut Solid) {
+    fn build(&self, bottom: Ticks, solid: &mut Solid) {
         let tops: Vec<Vec3> =
             self.corners.iter().map(|&(corner, _)| scene_corner(corner, self.top)).collect();
         let unders: Vec<Vec3> =
-            self.corners.iter().map(|&(corner, under)| scene_corner(corner, under)).collect();
+            self.corners.iter().map(|&(corner, under)| scene_corner(corner, under.max(bottom))).collect();
         solid.face(&tops);
         // The underside of a step that turns is not flat.
         for next in 1..unders.len() - 1 {
@@ -114,12 +114,10 @@ impl StepShape {
     }
 }
 
-/// A post from what it stands in up to the handrail.
-fn post((at, foot): ([Ticks; 2], Ticks), solid: &mut Solid) {
+/// A post between two heights.
+fn post([x, y]: [Ticks; 2], [low, high]: [Ticks; 2], solid: &mut Solid) {
     let half = Ticks::of(POST / 2.0);
-    let [x, y] = at;
-    let low = [x - half, foot - SLAB, -y - half];
-    solid.cuboid(low, [x + half, foot + Ticks::of(RAIL_HEIGHT), -y + half]);
+    solid.cuboid([x - half, low, -y - half], [x + half, high, -y + half]);
 }
 
 /// A handrail between two posts, level or not.
@@ -168,7 +166,7 @@ mod tests {
         let flat = step(&[(0.0, 0.0), (1.0, 0.0), (1.0, 0.25), (0.0, 0.25)], 0.6);
         let shape = StepShape::of(&flat, Point::ZERO);
         let mut solid = Solid::new(Slot::Stone);
-        shape.build(&mut solid);
+        shape.build(Ticks(-1_000), &mut solid);
         // As thick at the back as the waist, at the front by a rise more.
         let wanted = 0.25 * (WAIST + 0.09);
         assert!((f64::from(volume(solid)) - wanted).abs() < 1e-4);
@@ -182,8 +180,9 @@ mod tests {
     #[test]
     fn the_first_step_stands_in_the_floor() {
         let first = step(&[(0.0, 0.0), (1.0, 0.0), (1.0, 0.25), (0.0, 0.25)], 0.18);
-        let shape = StepShape::of(&first, Point::ZERO);
-        assert_eq!(shape.corners[0].1, Ticks(-SLAB.0 / 2));
-        assert_eq!(shape.corners[2].1, Ticks::of(0.04));
+        let mut solid = Solid::new(Slot::Stone);
+        StepShape::of(&first, Point::ZERO).build(Ticks(-1_000), &mut solid);
+        let heights = solid.finish().positions.into_iter().map(|[_, height, _]| height);
+        assert_eq!(heights.fold(f32::INFINITY, f32::min), -0.01);
     }
 }
