@@ -4,7 +4,7 @@ use crate::catalog::AuditRules;
 use crate::geometry::{Bounds, Convex, DISC_CORNERS, Grid, Point, Polygon, Segment, Solid};
 use crate::plan::{
     FRAME_DEPTH, FRAME_WIDTH, HANDLE_HEIGHTS, Leaf, Level, Opening, OpeningKind, Room, RoomOpening, RoomRef,
-    Wall,
+    Stairs, Wall,
 };
 
 use super::constants::{WALL_POINTS, WALL_STEP};
@@ -70,7 +70,7 @@ pub(crate) struct Surroundings<'a> {
     pub(crate) kept_free_grid: Grid,
     /// Where leaves swing in the room: no body enters (they are in `kept_free`), and some keep farther away.
     pub(crate) swings: Vec<Convex>,
-    /// Convex pieces of the columns.
+    /// Convex pieces of the columns, and of stairs, over and under which nothing stands.
     pub(crate) columns: Vec<Solid>,
     /// Metres between the points of a scan along walls.
     pub(crate) wall_step: f64,
@@ -81,7 +81,10 @@ pub(crate) struct Surroundings<'a> {
 impl<'a> Surroundings<'a> {
     /// Works out the surroundings of a room; what has to stay free is what the audit asks for.
     pub(crate) fn new(at: RoomRef<'a>, rules: &AuditRules, swings: Swings) -> Self {
-        let RoomRef { level, room, .. } = at;
+        let RoomRef { level, room, index } = at;
+        let columns = room.obstacles.iter().map(|column| (&column.outline, column.height));
+        let stairs = level.stairs_of(index).and_then(Stairs::footprint);
+        let bodies = columns.chain(stairs.map(|footprint| (footprint, room.height)));
         let bounds = room.region.outline.bounds();
         let mut surroundings = Self {
             level,
@@ -92,11 +95,7 @@ impl<'a> Surroundings<'a> {
             kept_free: Vec::new(),
             kept_free_grid: Grid::new(bounds),
             swings: Vec::new(),
-            columns: room
-                .obstacles
-                .iter()
-                .flat_map(|column| convex_parts(&column.outline, column.height))
-                .collect(),
+            columns: bodies.flat_map(|(outline, height)| convex_parts(outline, height)).collect(),
             // The same number of points in the longest halls: a scan takes no longer, it only gets coarser.
             wall_step: WALL_STEP.max(room.walls.iter().map(Wall::length).sum::<f64>() / WALL_POINTS),
             window_strips: Vec::new(),

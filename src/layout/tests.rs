@@ -6,8 +6,8 @@ use super::constants::MOST_STEPS;
 use super::surroundings::{Surroundings, Swings};
 use super::*;
 use crate::catalog::*;
-use crate::geometry::{Point, Polygon, Region, direction};
-use crate::plan::{Leaf, Level, Opening, OpeningKind, OpeningSide, Room, RoomOpening};
+use crate::geometry::{Convex, Point, Polygon, Region, Solid, direction};
+use crate::plan::{Leaf, Level, Opening, OpeningKind, OpeningSide, Room, RoomOpening, Stairs, Well};
 use crate::recipes::{GeometrySet, Slot, find};
 
 pub(super) fn rule(parent: ParentName, sides: &[Side], turn: Turn, along: Along) -> ParentRule {
@@ -171,6 +171,26 @@ fn assert_free(level: &Level, catalog: &Catalog, furnished: &Furnished) {
     }
     let swing = Surroundings::new(level.room(0), &catalog.audit, Swings::Simple).kept_free;
     assert!(all.iter().all(|a| swing.iter().all(|region| !a.overlaps(&region.solid, 1e-3))), "door blocked");
+}
+
+#[test]
+fn nothing_stands_in_the_hole_of_stairs() {
+    let catalog = catalog(OFFICE, Untidiness::default());
+    let mut level = level(WIDE);
+    let opening = Polygon::rectangle(Point::new(0.0, 3.0), Point::new(3.0, 2.0));
+    let base = Convex::rectangle(Point::new(1.5, 4.0), Point::new(1.5, 1.0), Point::X);
+    let hole = Solid::new(base, 0.0, 2.0);
+    let met = |level: &Level| {
+        let pieces = (0..10).flat_map(|seed| run(level, &catalog, seed).placements);
+        pieces
+            .flat_map(|piece| solids(&catalog.classes[piece.class], &piece))
+            .filter(|body| body.overlaps(&hole, 1e-3))
+            .count()
+    };
+    assert!(met(&level) > 0, "pieces stand there in a room without stairs");
+    let well = Well { opening, guards: Vec::new(), nosings: Vec::new() };
+    level.stairs = vec![Stairs { room: 0, up: None, well: Some(well) }].into();
+    assert_eq!(met(&level), 0);
 }
 
 /// Metres between an open side of a room and the nearest body, over many seeds.

@@ -32,6 +32,8 @@ const MOST_PLACES: usize = 20_000;
 const LANDING: f64 = 1.5;
 /// Metres within which an edge of stairs lies in a doorway.
 const AT_DOOR: f64 = 0.15;
+/// Metres that the two share at least.
+const LEAST_WAY: f64 = 0.62;
 
 /// A room that stairs go through, on one level.
 pub(super) struct Storey<'l> {
@@ -173,10 +175,13 @@ impl<'l> Storey<'l> {
 impl Door {
     /// Whether an end of stairs lies in it: one steps from the doorway onto the first step.
     fn is_at(&self, end: Segment) -> bool {
-        !self.opens_in
-            && self.stretch.distance(end.middle()) <= AT_DOOR
-            && end.direction().perp_dot(self.stretch.direction()).abs() <= PARALLEL
-            && self.stretch.length() >= 0.7 * end.length()
+        if self.opens_in || self.stretch.distance(end.middle()) > AT_DOOR {
+            return false;
+        }
+        let along = self.stretch.direction();
+        let [from, to] = [end.start, end.end].map(|at| (at - self.stretch.start).dot(along));
+        let shared = from.max(to).min(self.stretch.length()) - from.min(to).max(0.0);
+        end.direction().perp_dot(along).abs() <= PARALLEL && shared >= LEAST_WAY
     }
 }
 

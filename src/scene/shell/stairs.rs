@@ -1,5 +1,7 @@
 //! Steps, landings and handrails.
 
+use std::collections::BTreeSet;
+
 use glam::Vec3;
 
 use super::slab::scene_corner;
@@ -61,9 +63,12 @@ impl StairsShape {
     pub(crate) fn build(&self, bottom: Ticks) -> [Solid; 2] {
         let (mut steps, mut rails) = (Solid::new(self.slot), Solid::new(RAILING_SLOT));
         self.steps.iter().for_each(|step| step.build(bottom, &mut steps));
+        // Where two balustrades meet, they share a post.
+        let posts: BTreeSet<([Ticks; 2], Ticks)> = self.rails.iter().flatten().copied().collect();
+        for (at, foot) in posts {
+            post(at, [foot + bottom, foot + Ticks::of(RAIL_HEIGHT)], &mut rails);
+        }
         for rail in &self.rails {
-            rail.iter()
-                .for_each(|&(at, foot)| post(at, [foot + bottom, foot + Ticks::of(RAIL_HEIGHT)], &mut rails));
             rail.windows(2).for_each(|ends| handrail([ends[0], ends[1]], &mut rails));
         }
         [steps, rails]
