@@ -41,9 +41,11 @@ fn levels(reading: &PlanReading) -> Vec<&Level> {
     reading.plan.buildings.iter().flat_map(|placed| &placed.building.levels).collect()
 }
 
-/// Ids and contents.
-fn contents(reading: &PlanReading) -> Vec<(&str, [u8; 32])> {
-    levels(reading).into_iter().map(|level| (level.id.as_str(), level.digest)).collect()
+/// Ids and contents of the levels but for their stairs, which lead to the levels beside them.
+fn contents(reading: &PlanReading) -> Vec<(&str, String)> {
+    let text =
+        |level: &Level| format!("{:?}", (level.elevation, level.height, &level.rooms, &level.openings));
+    levels(reading).into_iter().map(|level| (level.id.as_str(), text(level))).collect()
 }
 
 /// The message of the first error, which names a place.

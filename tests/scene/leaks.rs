@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 use glam::{DVec2, DVec3};
 use roomwright::internals::catalog::{Catalog, load_catalog};
-use roomwright::internals::geometry::{Bounds, Point};
+use roomwright::internals::geometry::{Bounds, Point, Polygon};
 use roomwright::internals::plan::{Level, OpeningKind, PlanOptions, Room, WallKind, read_plans};
 use roomwright::internals::scene::Scene;
 
@@ -112,7 +112,23 @@ fn way_out(level: &Level, room: &Room, origin: DVec3, direction: DVec3) -> f64 {
             pass(index, [0.0, wall.length()], [0.0, f64::INFINITY]);
         }
     }
+    let mut climb = |hole: Option<&Polygon>, height: f64| {
+        let distance = (height - origin.y) / direction.y;
+        let is_in = hole.is_some_and(|hole| is_near_hole(hole, from + along * distance));
+        if distance > 0.0 && is_in {
+            nearest = nearest.min(distance);
+        }
+    };
+    let stairs = level.rooms.iter().position(|other| other.id == room.id).and_then(|at| level.stairs_of(at));
+    climb(stairs.and_then(|stairs| stairs.up.as_ref()).map(|flight| &flight.opening), room.height);
+    climb(stairs.and_then(|stairs| stairs.well.as_ref()).map(|well| &well.opening), 0.0);
     nearest
+}
+
+/// Whether a point lies in a hole for stairs or at its edge.
+fn is_near_hole(hole: &Polygon, at: Point) -> bool {
+    // Floors are cut a little wider than the steps are.
+    hole.contains(at) || hole.edges().any(|edge| edge.distance(at) < 4.0 * MARGIN)
 }
 
 /// How far a point lies outside a room.

@@ -8,7 +8,7 @@ use super::slab::scene_corner;
 use super::slots::RAILING_SLOT;
 use super::solid::Solid;
 use super::ticks::{Ticks, point_in_ticks};
-use crate::geometry::{Point, Segment};
+use crate::geometry::{Bounds, Point, Segment};
 use crate::plan::{Flight, RailPoint, Step, Well};
 use crate::recipes::Slot;
 
@@ -18,11 +18,14 @@ use crate::recipes::Slot;
 pub(crate) struct StairsShape {
     /// The lowest first.
     pub steps: Vec<StepShape>,
-    /// Places under handrails, and their heights.
-    pub rails: Vec<Vec<([Ticks; 2], Ticks)>>,
+    /// Handrails, each by the places under it.
+    pub rails: Vec<Vec<Foot>>,
     /// Material of the steps.
     pub slot: Slot,
 }
+
+/// A place under a handrail, and the height there.
+type Foot = ([Ticks; 2], Ticks);
 
 /// A step: counter-clockwise corners, each with the height of the underside there.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -43,19 +46,26 @@ const POST: f64 = 0.024;
 const HANDRAIL: f64 = 0.044;
 /// Metres between the posts of a balustrade, at most. (Approved Document K, section 3: no gap that lets a ball of 0.1 m through.)
 const POST_INTERVAL: f64 = 0.12;
+/// The sine of the angle below which a handrail goes straight on.
+const STRAIGHT: f64 = 0.02;
+/// Metres between the sides of a flight and the walls along its longer side.
+const SIDE_GAP: f64 = 0.004;
 /// Metres that a balustrade stands inside the edge of a well: it is fixed to the side of the floor.
 const GUARD_INSET: f64 = 0.03;
 
 impl StairsShape {
     /// The shape of what a room has, as seen from `anchor`.
     pub(crate) fn of(up: Option<&Flight>, well: Option<&Well>, anchor: Point, slot: Slot) -> Self {
-        let steps = up.iter().flat_map(|flight| &flight.steps);
-        let steps = steps.map(|step| StepShape::of(step, anchor)).collect();
+        let step = |flight: &Flight, step: &Step| {
+            let corners = step.corners.iter().map(|&corner| within(flight, corner)).collect();
+            StepShape::of(&Step { corners, ..*step }, anchor)
+        };
+        let steps = up.iter().flat_map(|flight| flight.steps.iter().map(|one| step(flight, one))).collect();
         let handrails = up.iter().flat_map(|flight| &flight.handrails).cloned();
         let guards = well.iter().flat_map(|well| &well.guards).map(|guard| guard_points(*guard));
         let point = |point: RailPoint| (point_in_ticks(point.at, anchor), Ticks::of(point.foot));
         let rails = handrails.chain(guards).map(|rail| rail.into_iter().map(point).collect());
-        Self { steps, rails: rails.collect(), slot }
+        Self { steps, rails: joined(rails), slot }
     }
 
     /// The closed bodies: steps, and what is of metal. The first steps stand in the floor, down to `bottom`, and posts as deep in
@@ -63,16 +73,46 @@ impl StairsShape {
     pub(crate) fn build(&self, bottom: Ticks) -> [Solid; 2] {
         let (mut steps, mut rails) = (Solid::new(self.slot), Solid::new(RAILING_SLOT));
         self.steps.iter().for_each(|step| step.build(bottom, &mut steps));
-        // Where two balustrades meet, they share a post.
-        let posts: BTreeSet<([Ticks; 2], Ticks)> = self.rails.iter().flatten().copied().collect();
+        let posts: BTreeSet<Foot> = self.rails.iter().flatten().copied().collect();
         for (at, foot) in posts {
             post(at, [foot + bottom, foot + Ticks::of(RAIL_HEIGHT)], &mut rails);
         }
         for rail in &self.rails {
-            rail.windows(2).for_each(|ends| handrail([ends[0], ends[1]], &mut rails));
+            for piece in 0..rail.len().saturating_sub(1) {
+                let cuts = [piece, piece + 1].map(|at| if turns(rail, at) { HANDRAIL / 2.0 } else { 0.0 });
+                handrail([rail[piece], rail[piece + 1]], cuts, &mut rails);
+            }
         }
         [steps, rails]
     }
+}
+
+/// A corner of a flight a little inside what it takes of the floor: its sides lie in no plane with the faces of walls.
+fn within(flight: &Flight, corner: Point) -> Point {
+    let Bounds { low, high } = flight.opening.bounds();
+    let middle = (low + high) / 2.0;
+    middle + (corner - middle) * (1.0 - 2.0 * SIDE_GAP / (high - low).max_element())
+}
+
+/// Handrails that begin where the one before ends are one, with one post there.
+fn joined(rails: impl Iterator<Item = Vec<Foot>>) -> Vec<Vec<Foot>> {
+    let mut all: Vec<Vec<Foot>> = Vec::new();
+    for rail in rails.filter(|rail| rail.len() > 1) {
+        match all.last_mut().filter(|last| last.last() == rail.first()) {
+            Some(last) => last.extend(&rail[1..]),
+            None => all.push(rail),
+        }
+    }
+    all
+}
+
+/// Whether a handrail turns at one of its places.
+fn turns(rail: &[Foot], at: usize) -> bool {
+    let point = |at: usize| rail.get(at).map(|([x, y], _)| Point::new(x.metres(), y.metres()));
+    let around = [at.checked_sub(1).and_then(point), point(at), point(at + 1)];
+    let [Some(before), Some(here), Some(after)] = around else { return false };
+    let ways = [here - before, after - here].map(Point::normalize_or_zero);
+    ways[0].perp_dot(ways[1]).abs() > STRAIGHT
 }
 
 /// The posts of a balustrade along an edge that has the hole on its left.
@@ -125,15 +165,14 @@ fn post([x, y]: [Ticks; 2], [low, high]: [Ticks; 2], solid: &mut Solid) {
     solid.cuboid([x - half, low, -y - half], [x + half, high, -y + half]);
 }
 
-/// A handrail between two posts, level or not.
-fn handrail(ends: [([Ticks; 2], Ticks); 2], solid: &mut Solid) {
+/// A handrail between two posts, level or not; where it turns, it ends beyond the post by a cut, and the next begins as much later.
+fn handrail(ends: [Foot; 2], cuts: [f64; 2], solid: &mut Solid) {
     let points = ends.map(|([x, y], _)| Point::new(x.metres(), y.metres()));
     let Some(along) = (points[1] - points[0]).try_normalize() else { return };
     let across = along.perp() * (HANDRAIL / 2.0);
     let section = |end: usize| {
         let foot = ends[end].1.metres() + RAIL_HEIGHT - HANDRAIL / 2.0;
-        // Into the post, so that the pieces of a rail that turns meet.
-        let at = points[end] + along * (HANDRAIL / 4.0) * if end == 0 { -1.0 } else { 1.0 };
+        let at = points[end] + along * cuts[end];
         let corner = |side: f64, height: f64| {
             let place = at + across * side;
             scene_corner([Ticks::of(place.x), Ticks::of(place.y)], Ticks::of(foot + height))
@@ -177,8 +216,8 @@ mod tests {
         assert!((f64::from(volume(solid)) - wanted).abs() < 1e-4);
         let mut rail = Solid::new(RAILING_SLOT);
         let ends = [(0.0, 0.2), (0.25, 0.38)].map(|(x, foot)| ([Ticks::of(x), Ticks(0)], Ticks::of(foot)));
-        handrail(ends, &mut rail);
-        let wanted = (0.25 + HANDRAIL / 2.0) * HANDRAIL * HANDRAIL;
+        handrail(ends, [0.0; 2], &mut rail);
+        let wanted = 0.25 * HANDRAIL * HANDRAIL;
         assert!((f64::from(volume(rail)) - wanted).abs() < 1e-5);
     }
 
