@@ -56,6 +56,8 @@ struct Door {
     stand: Point,
     /// Whether a leaf opens into the room.
     opens_in: bool,
+    /// Whether no wall at all is there.
+    is_open: bool,
 }
 
 /// Where stairs stand in a level.
@@ -106,11 +108,18 @@ impl<'l> Storey<'l> {
             let stretch = wall.stretch(at.from, at.to);
             let leaf = opening.leaves_into(wall).map(|leaf| leaf.hinge.distance(leaf.open_tip));
             let leaf = leaf.fold(0.0, f64::max);
-            let depth = if opening.kind == OpeningKind::OpenBoundary { DOOR / 2.0 } else { DOOR.max(leaf) };
+            let is_open = opening.kind == OpeningKind::OpenBoundary;
+            let depth = if is_open { DOOR / 2.0 } else { DOOR.max(leaf) };
             let normal = wall.normal();
             let half = Point::new(stretch.length() / 2.0, depth / 2.0);
             let zone = Convex::rectangle(stretch.middle() + normal * half.y, half, wall.direction());
-            Door { stretch, zone, stand: stretch.middle() + normal * (DOOR / 2.0), opens_in: leaf > 0.0 }
+            Door {
+                stretch,
+                zone,
+                stand: stretch.middle() + normal * (DOOR / 2.0),
+                opens_in: leaf > 0.0,
+                is_open,
+            }
         };
         Self { room, goes_up, comes_up, doors: walkable.map(door).collect(), floor: OnceCell::new() }
     }
@@ -120,7 +129,7 @@ impl<'l> Storey<'l> {
         let bodies = fitted.boxes();
         self.is_clear_of_doors(fitted, &bodies)
             && bodies.iter().all(|body| self.is_clear(body))
-            && fitted.ends(self).into_iter().all(|end| self.is_clear_before(end, &bodies))
+            && fitted.ends(self).into_iter().all(|end| self.is_clear_before(fitted, end, &bodies))
             && self.is_joined(fitted, &bodies)
     }
 
@@ -139,33 +148,39 @@ impl<'l> Storey<'l> {
     }
 
     /// Whether one can stand before an end of the stairs, or in the doorway that it lies in.
-    fn is_clear_before(&self, end: Segment, bodies: &[Convex]) -> bool {
-        if self.is_in_doorway(end) {
+    fn is_clear_before(&self, fitted: &Fitted, end: Segment, bodies: &[Convex]) -> bool {
+        if self.is_in_doorway(fitted, end) {
             return true;
         }
         let zone = before(end);
         self.is_clear(&zone) && !bodies.iter().any(|body| body.overlaps(&zone, TOLERANCE))
     }
 
-    fn is_in_doorway(&self, end: Segment) -> bool {
-        self.doors.iter().any(|door| door.is_at(end))
+    fn is_in_doorway(&self, fitted: &Fitted, end: Segment) -> bool {
+        self.doors.iter().any(|door| fitted.begins_at(door, end))
     }
 
     fn is_clear_of_doors(&self, fitted: &Fitted, bodies: &[Convex]) -> bool {
         let ends = fitted.ends(self);
-        let is_free = |door: &Door| {
-            ends.iter().any(|end| door.is_at(*end))
-                || !bodies.iter().any(|body| body.overlaps(&door.zone, TOLERANCE))
+        let all = fitted.form.approaches().map(|edge| fitted.frame.segment(edge));
+        // One steps from a door onto the flight that begins or ends there, not between two of them.
+        let is_between = |door: &Door, end: &Segment| {
+            all.iter()
+                .any(|other| other != end && door.shared(*other) > TOLERANCE && door.shared(*end) > TOLERANCE)
         };
-        self.doors.iter().all(is_free)
+        let is_way = |door: &Door| {
+            ends.iter().any(|end| fitted.begins_at(door, *end) && (door.is_open || !is_between(door, end)))
+        };
+        let is_free = |door: &Door| !bodies.iter().any(|body| body.overlaps(&door.zone, TOLERANCE));
+        self.doors.iter().all(|door| is_way(door) || is_free(door))
     }
 
     /// Whether one gets from each door to both ends of the stairs.
     fn is_joined(&self, fitted: &Fitted, bodies: &[Convex]) -> bool {
         let ends = fitted.ends(self);
-        let inner = ends.iter().filter(|end| !self.is_in_doorway(**end));
+        let inner = ends.iter().filter(|end| !self.is_in_doorway(fitted, **end));
         let stands = inner.map(|end| end.middle() - end.normal() * (STAND / 2.0));
-        let doors = self.doors.iter().filter(|door| !ends.iter().any(|end| door.is_at(*end)));
+        let doors = self.doors.iter().filter(|door| !ends.iter().any(|end| fitted.begins_at(door, *end)));
         let places: Vec<Point> = stands.chain(doors.map(|door| door.stand)).collect();
         let bodies: Vec<Vec<Point>> = bodies.iter().map(|body| body.corners().to_vec()).collect();
         self.floor.get_or_init(|| Floor::of(self.room)).joins(&places, &bodies)
@@ -175,13 +190,19 @@ impl<'l> Storey<'l> {
 impl Door {
     /// Whether an end of stairs lies in it: one steps from the doorway onto the first step.
     fn is_at(&self, end: Segment) -> bool {
-        if self.opens_in || self.stretch.distance(end.middle()) > AT_DOOR {
-            return false;
-        }
+        !self.opens_in && self.shared(end) >= LEAST_WAY
+    }
+
+    /// Metres of an end of stairs that lie in it.
+    fn shared(&self, end: Segment) -> f64 {
         let along = self.stretch.direction();
+        let is_beside = (end.middle() - self.stretch.start).perp_dot(along).abs() > AT_DOOR
+            || end.direction().perp_dot(along).abs() > PARALLEL;
+        if is_beside {
+            return 0.0;
+        }
         let [from, to] = [end.start, end.end].map(|at| (at - self.stretch.start).dot(along));
-        let shared = from.max(to).min(self.stretch.length()) - from.min(to).max(0.0);
-        end.direction().perp_dot(along).abs() <= PARALLEL && shared >= LEAST_WAY
+        from.max(to).min(self.stretch.length()) - from.min(to).max(0.0)
     }
 }
 
@@ -197,6 +218,11 @@ impl Fitted {
             Convex::rectangle(self.frame.point((low + high) / 2.0), (high - low) / 2.0, self.frame.across)
         };
         self.form.boxes().into_iter().map(body).collect()
+    }
+
+    /// Whether one steps from a door onto the first step; spirals have a landing to stand on instead.
+    fn begins_at(&self, door: &Door, end: Segment) -> bool {
+        self.form.design.kind != Kind::Spiral && door.is_at(end)
     }
 
     /// The edges that one steps over on a storey.

@@ -46,6 +46,9 @@ const POST: f64 = 0.024;
 const HANDRAIL: f64 = 0.044;
 /// Metres between the posts of a balustrade, at most. (Approved Document K, section 3: no gap that lets a ball of 0.1 m through.)
 const POST_INTERVAL: f64 = 0.12;
+/// Metres that a piece of a handrail ends before the middle of its post, so that each is a closed and convex body: physics engines
+/// take them one by one.
+const PIECE_GAP: f64 = 0.001;
 /// The sine of the angle below which a handrail goes straight on.
 const STRAIGHT: f64 = 0.02;
 /// Metres between the sides of a flight and the walls along its longer side.
@@ -172,7 +175,7 @@ fn handrail(ends: [Foot; 2], cuts: [f64; 2], solid: &mut Solid) {
     let across = along.perp() * (HANDRAIL / 2.0);
     let section = |end: usize| {
         let foot = ends[end].1.metres() + RAIL_HEIGHT - HANDRAIL / 2.0;
-        let at = points[end] + along * cuts[end];
+        let at = points[end] + along * (cuts[end] + PIECE_GAP * if end == 0 { 1.0 } else { -1.0 });
         let corner = |side: f64, height: f64| {
             let place = at + across * side;
             scene_corner([Ticks::of(place.x), Ticks::of(place.y)], Ticks::of(foot + height))
@@ -217,7 +220,7 @@ mod tests {
         let mut rail = Solid::new(RAILING_SLOT);
         let ends = [(0.0, 0.2), (0.25, 0.38)].map(|(x, foot)| ([Ticks::of(x), Ticks(0)], Ticks::of(foot)));
         handrail(ends, [0.0; 2], &mut rail);
-        let wanted = 0.25 * HANDRAIL * HANDRAIL;
+        let wanted = (0.25 - 2.0 * PIECE_GAP) * HANDRAIL * HANDRAIL;
         assert!((f64::from(volume(rail)) - wanted).abs() < 1e-5);
     }
 
