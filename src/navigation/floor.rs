@@ -191,7 +191,8 @@ fn face(room: &Room, side: &OpeningSide) -> [Point; 2] {
     [side.from, side.to].map(|along| wall.after(along))
 }
 
-/// What is in the way of an agent in a room: furniture, columns, stairs, on which its floor ends, and leaves of doors that stand open in it.
+/// What is in the way of an agent in a room: furniture, columns, leaves of doors that stand open in it, and stairs, at which its floor
+/// ends.
 fn bodies(
     level: &Level,
     (index, room): (usize, &Room),

@@ -56,7 +56,7 @@ pub(super) const DESIGNS: &[Design] = &[
 /// Metres between two flights side by side, at least; what a wide room has more is between them too.
 const GAP: f64 = 0.1;
 /// Metres across the widest flight.
-pub(super) const WIDEST_LANE: f64 = 1.35;
+const WIDEST_LANE: f64 = 1.35;
 /// Steps that turn by a quarter.
 const QUARTER_WINDERS: usize = 3;
 /// Radius of the post of a spiral.

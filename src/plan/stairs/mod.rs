@@ -80,11 +80,13 @@ fn through(levels: &[Level], run: &[Place]) -> Vec<(usize, Stairs)> {
     let highest = (0..run.len() - 1).map(rise).fold(0.0, f64::max);
     let storeys = distinct(levels, run);
     let Some(fitted) = fit(&storeys, highest) else { return Vec::new() };
+    // What comes up at a level is the flight of the one below it.
+    let mut below: Option<Flight> = None;
     let stairs = |(at, &(level, room)): (usize, &Place)| {
         let walls = &solid_walls(&levels[level], &levels[level].rooms[room]);
         let up = (at + 1 < run.len()).then(|| flight(&fitted, walls, rise(at))).flatten();
-        let below = (at > 0).then(|| flight(&fitted, walls, rise(at - 1))).flatten();
-        let well = below.map(|flight| well(&fitted, walls, flight, up.is_some()));
+        let well = below.take().map(|below| well(&fitted, walls, &below, up.is_some()));
+        below.clone_from(&up);
         (level, Stairs { room, up, well })
     };
     run.iter().enumerate().map(stairs).collect()
@@ -136,7 +138,7 @@ fn flight(fitted: &Fitted, walls: &[Segment], rise: f64) -> Option<Flight> {
 }
 
 /// The hole that a flight from below comes through.
-fn well(fitted: &Fitted, walls: &[Segment], flight: Flight, goes_on: bool) -> Well {
+fn well(fitted: &Fitted, walls: &[Segment], flight: &Flight, goes_on: bool) -> Well {
     let Fitted { form, frame } = fitted;
     let ring = frame.ring(&form.ring());
     let [foot, head] = [form.foot(), form.head()].map(|edge| frame.segment(edge));
@@ -147,7 +149,7 @@ fn well(fitted: &Fitted, walls: &[Segment], flight: Flight, goes_on: bool) -> We
         !is_passed && !is_at_wall
     };
     let guards = edges(&ring).filter(is_guarded).collect();
-    Well { nosings: flight.nosings(), opening: flight.opening, guards }
+    Well { nosings: flight.nosings(), opening: flight.opening.clone(), guards }
 }
 
 fn opening(fitted: &Fitted) -> Option<Polygon> {
