@@ -40,7 +40,9 @@ const SUGGESTED_ALTERNATIVES: u32 = 3;
 
 /// How often a room that fails after all other help is furnished at most with all of it at once. Of 330,000 rooms of whole maps some
 /// twenty come to this.
-const ALTERNATIVES_WITH_ALL_HELP: u32 = 4;
+const ALTERNATIVES_WITH_ALL_HELP: u32 = 8;
+/// The last of these put the required pieces before all others.
+const ALTERNATIVES_WITH_REQUIRED_FIRST: u32 = 4;
 
 /// Missing pieces that are as bad as a bed at the swing of a door, or as a tub, a tray or a bed for one that has both sides open.
 /// Larger: fewer of them, for more small things that have no place.
@@ -206,7 +208,8 @@ fn with_substitutes<F: FnMut(&Alternative) -> Counted, J: FnMut(&Furnished) -> V
 }
 
 /// The best of a room and, where it fails after all, of a few more alternatives with all help at once: places that the solver
-/// suggests, pieces that stand in for others, and ways that are cleared of what the room can do without.
+/// suggests, pieces that stand in for others, and ways that are cleared of what the room can do without; then with the required
+/// pieces before all others, too.
 fn with_all_help<F: FnMut(&Alternative) -> Counted, J: FnMut(&Furnished) -> Verdict>(
     mut best: Judged,
     effort: u32,
@@ -219,9 +222,13 @@ fn with_all_help<F: FnMut(&Alternative) -> Counted, J: FnMut(&Furnished) -> Verd
         if best.flaws().failed == 0 {
             break;
         }
-        let suggestions = suggest(&best.furnished);
-        let alternative =
-            Alternative { suggestions, takes_substitutes: true, ..Alternative::numbered(number) };
+        let alternative = Alternative {
+            suggestions: suggest(&best.furnished),
+            takes_substitutes: true,
+            puts_required_first: number - first
+                >= ALTERNATIVES_WITH_ALL_HELP - ALTERNATIVES_WITH_REQUIRED_FIRST,
+            ..Alternative::numbered(number)
+        };
         best = maker.make_better(&best, alternative).unwrap_or(best);
     }
     best

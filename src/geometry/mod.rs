@@ -11,6 +11,7 @@ mod grid;
 mod interval;
 mod long_axis;
 mod polygon;
+mod rows;
 mod segment;
 mod solid;
 

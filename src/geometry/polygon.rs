@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::rows::Rows;
 use super::{Bounds, Point, Segment, edges};
 
 /// Corners closer than this are one corner (real plans carry corners 2 cm apart; this is below any of them).
@@ -9,11 +10,15 @@ pub const CORNER_TOLERANCE: f64 = 1e-4;
 /// Smallest area of a polygon in square metres.
 pub const MINIMUM_AREA: f64 = 1e-4;
 
+/// Corners from which on the rows of edges pay.
+const MANY: usize = 24;
+
 /// A simple polygon in plan metres: at least three corners, counter-clockwise, not closed (the last
 /// corner is not the first), no two neighbouring corners equal, area above [`MINIMUM_AREA`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Polygon {
     corners: Vec<Point>,
+    rows: Rows,
 }
 
 /// Why a list of points is no [`Polygon`].
@@ -72,14 +77,18 @@ impl Polygon {
         if area < 0.0 {
             corners.reverse();
         }
-        Ok(Self { corners })
+        Ok(Self::of(corners))
     }
 
     /// An axis-parallel rectangle; `size` in metres, both above zero.
     #[must_use]
     pub fn rectangle(origin: Point, size: Point) -> Self {
         assert!(size.x > 0.0 && size.y > 0.0, "a rectangle has a positive size");
-        Self { corners: Bounds::new(origin, origin + size).corners().into() }
+        Self::of(Bounds::new(origin, origin + size).corners().into())
+    }
+
+    fn of(corners: Vec<Point>) -> Self {
+        Self { corners, rows: Rows::default() }
     }
 
     /// The corners, counter-clockwise.
@@ -103,7 +112,10 @@ impl Polygon {
     /// Whether the point lies inside; points on the border may answer either way.
     #[must_use]
     pub fn contains(&self, point: Point) -> bool {
-        ring_contains(&self.corners, point)
+        match self.corners.len() {
+            0..MANY => ring_contains(&self.corners, point),
+            _ => self.rows.contain(&self.corners, point),
+        }
     }
 
     /// The axis-parallel box around it.
@@ -153,16 +165,7 @@ impl Region {
 /// Whether a point lies inside a simple ring of corners; points on the border may answer either way.
 #[must_use]
 pub fn ring_contains(corners: &[Point], point: Point) -> bool {
-    let mut inside = false;
-    for Segment { start: a, end: b } in edges(corners) {
-        if (a.y > point.y) != (b.y > point.y) {
-            let x = a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x);
-            if point.x < x {
-                inside = !inside;
-            }
-        }
-    }
-    inside
+    edges(corners).filter(|edge| edge.is_east_of(point)).count() % 2 == 1
 }
 
 /// Square metres of a simple ring of corners: below zero if it is clockwise, zero without corners.

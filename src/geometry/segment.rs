@@ -78,6 +78,12 @@ impl Segment {
         self.vector().perp_dot(point - self.start)
     }
 
+    /// Whether a ray from a point towards east meets it; its higher end does not count, so that rings are crossed once at a corner.
+    pub(super) fn is_east_of(self, point: Point) -> bool {
+        let Self { start: a, end: b } = self;
+        (a.y > point.y) != (b.y > point.y) && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)
+    }
+
     /// Whether it and another cross each other: a mere touch is no crossing.
     #[must_use]
     pub fn crosses(self, other: Self) -> bool {

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::catalog::{Access, ClassIndex, ParentName};
 
+use super::agent::State;
 use super::brief::Brief;
 use super::constants::{
     ALTERNATIVES_WITH_TAGS, ATTEMPTS, ATTEMPTS_IN_NEED, MISSING_SHARE, MOST_STEPS, MOST_STEPS_FOR_WAYS,
@@ -193,6 +194,9 @@ fn act_all(environment: &mut Environment<'_>, key: &RoomKey, is_first: bool) -> 
     locked::settle_locked(environment);
     fitted::settle_fitted(environment, key);
     jointly::settle_jointly(environment, key);
+    if environment.brief.alternative.puts_required_first {
+        put_required(environment, key, is_first);
+    }
     arrange::arrange(environment, key);
     push::push_apart(environment);
     if untidy::make_untidy(environment, &style.untidiness, key) {
@@ -212,6 +216,22 @@ fn act_all(environment: &mut Environment<'_>, key: &RoomKey, is_first: bool) -> 
     // Rugs last: they are in nobody's way, so that the rest of the room is the same without them.
     covering::lay(environment);
     closed_ways + usize::from(lacks_turn)
+}
+
+/// Lets the required pieces settle alone, with ways between them: what the room can do without comes later and keeps them free.
+fn put_required(environment: &mut Environment<'_>, key: &RoomKey, is_first: bool) {
+    let can_wait = |&agent: &AgentIndex| {
+        environment.agents[agent].state == State::Search && !environment.has_required(agent)
+    };
+    let waiting: Vec<AgentIndex> = (0..environment.agents.len()).filter(can_wait).collect();
+    for &agent in &waiting {
+        environment.agents[agent].state = State::Unasked;
+    }
+    arrange::arrange(environment, key);
+    ways::clear_ways(environment, key, is_first);
+    for agent in waiting {
+        environment.agents[agent].state = State::Search;
+    }
 }
 
 /// The agents that the next attempt should serve first: the required pieces that found no place, and those by which they would

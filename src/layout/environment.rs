@@ -16,6 +16,7 @@ mod obstruction;
 use super::agent::{Agent, Rest, State};
 use super::body::{append_solids, clearance_solid, seat};
 use super::brief::Brief;
+use super::lattice::KnownBlock;
 use super::place::{AgentIndex, ParentPart, Place};
 use super::surroundings::KeptFree;
 use super::trace::Trace;
@@ -54,6 +55,8 @@ pub(crate) struct Environment<'a> {
     /// Those of the openings, and the ways that were found closed.
     kept_free: Vec<KeptFree>,
     kept_free_grid: Grid,
+    /// The lattice of lamps that was worked out last.
+    pub(crate) known_block: KnownBlock,
     /// Memory for the parts of the shape under test: thousands of tests a room share one allocation.
     scratch: Cell<Vec<Solid>>,
     /// The steps so far.
@@ -120,6 +123,7 @@ impl<'a> Environment<'a> {
             roof_grid: Grid::new(bounds),
             kept_free: surroundings.kept_free.clone(),
             kept_free_grid: surroundings.kept_free_grid.clone(),
+            known_block: KnownBlock::default(),
             scratch: Cell::default(),
             steps: Cell::default(),
         };

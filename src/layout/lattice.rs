@@ -1,10 +1,74 @@
 //! The numbers of a lattice: how many places a length has room for, and how many columns and rows some pieces make.
 
-use crate::catalog::Grid;
-use crate::geometry::Point;
+use std::cell::Cell;
+
+use crate::catalog::{ClassIndex, Grid};
+use crate::geometry::{Bounds, Point};
 
 /// Added before rounding down, so that a length of exactly n intervals counts n.
 const ROUNDING: f64 = 1e-9;
+
+/// The places of a lattice that its agents take.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Block {
+    /// The first place, in the frame of the lattice.
+    pub(crate) first: Point,
+    /// Columns and rows.
+    pub(crate) counts: [usize; 2],
+}
+
+impl Block {
+    /// How many places it has.
+    pub(crate) fn len(&self) -> usize {
+        self.counts[0] * self.counts[1]
+    }
+
+    /// A place of it, row by row, in the frame of the lattice.
+    pub(crate) fn place(&self, axes: &[Axis; 2], index: usize) -> Point {
+        let at = [index % self.counts[0], index / self.counts[0]];
+        let offset = |axis: usize| axes[axis].offset(at[axis], self.counts[axis]);
+        self.first + Point::new(offset(0), offset(1))
+    }
+}
+
+/// What the block of some agents depends on within an attempt.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct AskedBlock {
+    /// Whose it is.
+    pub(crate) class: ClassIndex,
+    /// Its intervals.
+    pub(crate) grid: Grid,
+    /// Radians of its rows.
+    pub(crate) angle: f64,
+    /// Where it may be, in its frame.
+    pub(crate) bounds: Bounds,
+    /// Half of the width and depth of what takes a place.
+    pub(crate) half: Point,
+    /// Places that it should have.
+    pub(crate) wanted: usize,
+}
+
+/// The block that was asked for last: the agents of a class ask for the same one after the other.
+#[derive(Debug, Default)]
+pub(crate) struct KnownBlock(Cell<Option<(AskedBlock, (Block, [Axis; 2]))>>);
+
+impl KnownBlock {
+    /// The block that is known, else the one that is found.
+    pub(crate) fn get_or(
+        &self,
+        asked: AskedBlock,
+        find: impl FnOnce() -> (Block, [Axis; 2]),
+    ) -> (Block, [Axis; 2]) {
+        match self.0.get() {
+            Some((known, found)) if known == asked => found,
+            _ => {
+                let found = find();
+                self.0.set(Some((asked, found)));
+                found
+            }
+        }
+    }
+}
 
 /// One direction of a lattice: regular intervals, and aisles between blocks of as many places, or of one less.
 ///

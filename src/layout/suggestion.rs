@@ -12,6 +12,8 @@ pub struct Alternative {
     pub suggestions: Vec<Suggestion>,
     /// Whether required pieces that find no place are replaced by what may stand in for them.
     pub takes_substitutes: bool,
+    /// Whether the others search only when all required pieces stand and the ways to them are clear.
+    pub puts_required_first: bool,
     /// Missing pieces, and steps down for those that others stand in for, with which it is given up before it is finished: the caller
     /// has an arrangement that lacks no more. `None` if it is finished anyway.
     pub gives_up_at: Option<u32>,

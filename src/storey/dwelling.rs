@@ -12,7 +12,7 @@ use super::ring::{Axis, Ring, area, bounds, join, shared_length, split, total_le
 use super::spine::{
     Band, Fixed, FixedKind, Ground, Row, Spine, StripRoom, extent, settle, trim, turned_ring_back,
 };
-use super::thin::{Rules, has_thin_parts, trade_thin_parts};
+use super::thin::{Rules, has_thin_parts, trade_strips, trade_thin_parts};
 use super::typology::{Light, Programme, RoomNeeds, Typologies};
 
 /// Where the programme of its size does not come out, a smaller one may: so many are tried.
@@ -485,6 +485,7 @@ fn draw(
     let rules = Rules::of_rooms(task.typologies);
     let rules = if task.has_stairs { rules.with_fixed("stairs") } else { rules };
     trade_thin_parts(&mut planned, rules);
+    trade_strips(&mut planned, rules);
     if !are_sound(task.ground, task.typologies, &planned) {
         return None;
     }

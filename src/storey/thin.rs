@@ -18,6 +18,10 @@ use super::typology::Typologies;
 const THIN: f64 = 0.32;
 /// The same of a room up to the middles of its walls, half of which belong to it on either side.
 const THIN_ROOM: f64 = 0.46;
+/// Metres below which a long part of a room up to the middles of its walls is a strip: nobody walks past what stands in it.
+const STRIP: f64 = 0.95;
+/// Metres from which on such a part is long; a shorter one is a niche.
+const STRIP_LENGTH: f64 = 1.6;
 /// Metres below which a part of a room between the faces of its walls is of no use.
 pub(super) const SLIVER_WIDTH: f64 = 0.3;
 /// Square metres of such a part that a room may have.
@@ -61,6 +65,13 @@ struct ThinPart {
     middle: Point,
     /// Square metres.
     area: f64,
+}
+
+impl ThinPart {
+    /// Metres along its axis.
+    fn length(&self) -> f64 {
+        self.to - self.from
+    }
 }
 
 /// The thin parts of a ring, the largest first.
@@ -315,6 +326,17 @@ impl<'a> Rules<'a> {
 
 /// Gives the thin parts of rooms to neighbours in which they are not thin.
 pub(super) fn trade_thin_parts(cells: &mut [Cell], rules: Rules<'_>) {
+    trade(cells, rules, |_| true);
+}
+
+/// Gives the strips of rooms to neighbours that they make wider.
+pub(super) fn trade_strips(cells: &mut [Cell], rules: Rules<'_>) {
+    // Not the tips of wedges, which are no strips but corners.
+    let is_strip = |part: &ThinPart| part.length() >= STRIP_LENGTH && part.area >= THIN_ROOM * part.length();
+    trade(cells, rules.below(STRIP), is_strip);
+}
+
+fn trade(cells: &mut [Cell], rules: Rules<'_>, is_meant: impl Fn(&ThinPart) -> bool) {
     for giver in 0..cells.len() {
         if rules.is_fixed(&cells[giver]) || cells[giver].ring.len() > MOST_CORNERS {
             continue;
@@ -322,7 +344,8 @@ pub(super) fn trade_thin_parts(cells: &mut [Cell], rules: Rules<'_>) {
         for _ in 0..MOST_PARTS {
             let parts = thin_parts(&cells[giver].ring, rules.below);
             let before = total_area(&parts);
-            if !parts.into_iter().any(|part| is_traded(cells, (giver, before), part, rules)) {
+            let mut meant = parts.into_iter().filter(&is_meant);
+            if !meant.any(|part| is_traded(cells, (giver, before), part, rules)) {
                 break;
             }
         }

@@ -10,7 +10,7 @@ use crate::catalog::{Clearance, Grid, RelationKind, Side, Turn};
 use crate::geometry::{Bounds, Point};
 use crate::layout::body::Pose;
 use crate::layout::constants::{LINE_STEP, SCAN_POINTS};
-use crate::layout::lattice::{Axis, columns_and_rows};
+use crate::layout::lattice::{AskedBlock, Axis, Block, columns_and_rows};
 use crate::layout::place::ParentPart;
 use crate::layout::seed::{Purpose, RoomKey, Stream};
 
@@ -100,10 +100,22 @@ impl Lattice {
         let wanted = wanted(view).div_ceil(members.len());
         let mut lay = |wanted, closer| {
             let grid = Grid { interval: grid.interval * closer, ..*grid };
-            Block::new(view, &grid, bounds, wanted, &mut stream)
+            block_of(view, &grid, bounds, wanted, &mut stream)
         };
         let (block, axes) = match view.parent {
-            ParentPart::Ceiling => over_floor(wanted, lay, |place| is_over_floor(view, &frame, place, half)),
+            ParentPart::Ceiling => {
+                // Nothing else decides it: the lamps of a corridor do not work out hundreds of places each.
+                let asked = AskedBlock {
+                    class: view.environment.agents[view.agent].piece.class,
+                    grid: *grid,
+                    angle,
+                    bounds,
+                    half,
+                    wanted,
+                };
+                let find = || over_floor(wanted, lay, |place| is_over_floor(view, &frame, place, half));
+                view.environment.known_block.get_or(asked, find)
+            }
             _ => lay(wanted, 1.0),
         };
         // Beyond the floor before what they look at are places for those who have none on it: in the arms of a cross.
@@ -199,63 +211,39 @@ fn within_margins(view: &View<'_>, grid: &Grid, room: Bounds) -> Bounds {
     Bounds::new(Point::select(fits, inner.low, room.low), Point::select(fits, inner.high, room.high))
 }
 
-/// The places of a lattice that its agents take.
-#[derive(Clone, Copy)]
-struct Block {
-    /// The first place, in the frame of the lattice.
-    first: Point,
-    /// Columns and rows.
-    counts: [usize; 2],
-}
-
-impl Block {
-    /// The block of so many places within some bounds, and its axes.
-    fn new(
-        view: &View<'_>,
-        grid: &Grid,
-        bounds: Bounds,
-        wanted: usize,
-        stream: &mut Stream,
-    ) -> (Self, [Axis; 2]) {
-        let axes = [Axis::new(grid, 0), Axis::new(grid, 1)];
-        let frame_room = |margins: &Margins| (bounds.size() - margins.low - margins.high).max(Point::ZERO);
-        let most_in = |room: Point| [axes[0].count(room.x), axes[1].count(room.y)];
-        let has_places = |margins: &Margins| most_in(frame_room(margins)).iter().product::<usize>() >= wanted;
-        // At the walls the good clearances if the lattice then has places for all, else the smallest, else none.
-        let depths: [fn(&Clearance) -> f64; 3] =
-            [|clearance| clearance.good, |clearance| clearance.minimum, |_| 0.0];
-        let margins = depths.map(|depth| Margins::new(view, grid, depth));
-        let margins = margins.iter().find(|margins| has_places(margins)).unwrap_or(&margins[2]);
-        let room = frame_room(margins);
-        let counts = columns_and_rows(wanted, most_in(room), room / grid.interval, axes[0].step());
-        let axes = match view.parent {
-            // Lamps light the whole room, however few they are.
-            ParentPart::Ceiling => [0, 1].map(|axis| axes[axis].spread(counts[axis], bounds.size()[axis])),
-            _ => axes,
-        };
-        let span = Point::new(axes[0].span(counts[0]), axes[1].span(counts[1]));
-        let slack = (room - span).max(Point::ZERO);
-        let share =
-            if grid.is_centered { Point::splat(0.5) } else { Point::new(stream.unit(), stream.unit()) };
-        let mut offset = slack * share;
-        let is_facing = |kind: RelationKind| matches!(kind, RelationKind::Faces | RelationKind::Sees);
-        if view.class.relations.iter().any(|wish| is_facing(wish.kind)) {
-            offset.y = offset.y.min(FARTHEST_ROW);
-        }
-        (Self { first: bounds.low + margins.low + offset, counts }, axes)
+/// The block of so many places within some bounds, and its axes.
+fn block_of(
+    view: &View<'_>,
+    grid: &Grid,
+    bounds: Bounds,
+    wanted: usize,
+    stream: &mut Stream,
+) -> (Block, [Axis; 2]) {
+    let axes = [Axis::new(grid, 0), Axis::new(grid, 1)];
+    let frame_room = |margins: &Margins| (bounds.size() - margins.low - margins.high).max(Point::ZERO);
+    let most_in = |room: Point| [axes[0].count(room.x), axes[1].count(room.y)];
+    let has_places = |margins: &Margins| most_in(frame_room(margins)).iter().product::<usize>() >= wanted;
+    // At the walls the good clearances if the lattice then has places for all, else the smallest, else none.
+    let depths: [fn(&Clearance) -> f64; 3] =
+        [|clearance| clearance.good, |clearance| clearance.minimum, |_| 0.0];
+    let margins = depths.map(|depth| Margins::new(view, grid, depth));
+    let margins = margins.iter().find(|margins| has_places(margins)).unwrap_or(&margins[2]);
+    let room = frame_room(margins);
+    let counts = columns_and_rows(wanted, most_in(room), room / grid.interval, axes[0].step());
+    let axes = match view.parent {
+        // Lamps light the whole room, however few they are.
+        ParentPart::Ceiling => [0, 1].map(|axis| axes[axis].spread(counts[axis], bounds.size()[axis])),
+        _ => axes,
+    };
+    let span = Point::new(axes[0].span(counts[0]), axes[1].span(counts[1]));
+    let slack = (room - span).max(Point::ZERO);
+    let share = if grid.is_centered { Point::splat(0.5) } else { Point::new(stream.unit(), stream.unit()) };
+    let mut offset = slack * share;
+    let is_facing = |kind: RelationKind| matches!(kind, RelationKind::Faces | RelationKind::Sees);
+    if view.class.relations.iter().any(|wish| is_facing(wish.kind)) {
+        offset.y = offset.y.min(FARTHEST_ROW);
     }
-
-    /// How many places it has.
-    fn len(&self) -> usize {
-        self.counts[0] * self.counts[1]
-    }
-
-    /// A place of it, row by row, in the frame of the lattice.
-    fn place(&self, axes: &[Axis; 2], index: usize) -> Point {
-        let at = [index % self.counts[0], index / self.counts[0]];
-        let offset = |axis: usize| axes[axis].offset(at[axis], self.counts[axis]);
-        self.first + Point::new(offset(0), offset(1))
-    }
+    (Block { first: bounds.low + margins.low + offset, counts }, axes)
 }
 
 /// The block of which as many places as wanted are over the floor: the box of a room with wings has others, too. Where no block has

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use crate::geometry::{Bounds, Point, distance_to_convex, edges, ring_contains};
+use crate::geometry::{Bounds, Point, distance_to_convex};
 use crate::plan::Room;
 
 /// Metres that the middle of a person keeps from walls and stairs.
@@ -31,18 +31,18 @@ impl Floor {
         let cell = CELL.max(size.max_element() / MOST_CELLS);
         let count = |metres: f64| (metres / cell).ceil().max(1.0) as usize;
         let (columns, rows) = (count(size.x), count(size.y));
-        let borders: Vec<_> = room.region.borders().collect();
-        let bodies: Vec<&[Point]> =
-            room.obstacles.iter().map(|obstacle| obstacle.outline.corners()).collect();
-        let is_free = |at: Point| {
-            room.region.contains(at)
-                && borders.iter().all(|border| border.distance_squared(at) >= BODY * BODY)
-                && bodies.iter().all(|ring| !ring_contains(ring, at))
-                && bodies.iter().all(|ring| edges(ring).all(|edge| edge.distance_squared(at) >= BODY * BODY))
+        let is_inside = |at: Point| {
+            room.region.contains(at) && !room.obstacles.iter().any(|column| column.outline.contains(at))
         };
-        let mut floor = Self { low, cell, columns, rows, is_free: Vec::new() };
-        floor.is_free = (0..columns * rows).map(|index| is_free(floor.middle(index))).collect();
-        floor
+        let floor = Self { low, cell, columns, rows, is_free: Vec::new() };
+        let mut is_free: Vec<bool> =
+            (0..columns * rows).map(|index| is_inside(floor.middle(index))).collect();
+        let around_columns = room.obstacles.iter().flat_map(|column| column.outline.edges());
+        for border in room.region.borders().chain(around_columns) {
+            let is_near = |at: Point| border.distance_squared(at) < BODY * BODY;
+            floor.close(&mut is_free, border.bounds().inflated(BODY), is_near);
+        }
+        Self { is_free, ..floor }
     }
 
     fn middle(&self, index: usize) -> Point {
@@ -50,14 +50,31 @@ impl Floor {
         self.low + Point::new(column as f64 + 0.5, row as f64 + 0.5) * self.cell
     }
 
+    /// The cells that meet some bounds, row by row.
+    fn cells(&self, bounds: Bounds) -> impl Iterator<Item = usize> {
+        let span = |axis: usize, count: usize| {
+            let at = |metres: f64| ((metres - self.low[axis]) / self.cell).clamp(0.0, count as f64) as usize;
+            at(bounds.low[axis])..at(bounds.high[axis] + self.cell)
+        };
+        let (columns, width) = (span(0, self.columns), self.columns);
+        span(1, self.rows).flat_map(move |row| columns.clone().map(move |column| row * width + column))
+    }
+
+    /// Takes from some cells those within bounds whose middle is closed.
+    fn close(&self, cells: &mut [bool], bounds: Bounds, is_closed: impl Fn(Point) -> bool) {
+        for index in self.cells(bounds) {
+            cells[index] = cells[index] && !is_closed(self.middle(index));
+        }
+    }
+
     /// Whether one gets from each of some places to each other past bodies, given as convex rings.
     pub(super) fn joins(&self, places: &[Point], bodies: &[Vec<Point>]) -> bool {
         let Some((&first, others)) = places.split_first() else { return true };
-        let is_open = |index: usize| {
-            let at = self.middle(index);
-            self.is_free[index] && bodies.iter().all(|ring| distance_to_convex(ring, at) >= BODY)
-        };
-        let open: Vec<bool> = (0..self.is_free.len()).map(is_open).collect();
+        let mut open = self.is_free.clone();
+        for ring in bodies {
+            let bounds = Bounds::around(ring.iter().copied()).inflated(BODY);
+            self.close(&mut open, bounds, |at| distance_to_convex(ring, at) < BODY);
+        }
         let Some(start) = self.nearest(&open, first) else { return false };
         let reached = self.reached(&open, start);
         others.iter().all(|&place| self.nearest(&reached, place).is_some())
@@ -66,15 +83,8 @@ impl Floor {
     /// The cell nearest to a place, of some.
     fn nearest(&self, cells: &[bool], place: Point) -> Option<usize> {
         let distance = |index: usize| self.middle(index).distance_squared(place);
-        let span = |axis: usize, count: usize| {
-            let at = |metres: f64| (metres / self.cell).clamp(0.0, count as f64) as usize;
-            let along = place[axis] - self.low[axis];
-            at(along - NEAR)..at(along + NEAR + self.cell)
-        };
-        let columns = span(0, self.columns);
-        let all =
-            span(1, self.rows).flat_map(|row| columns.clone().map(move |column| row * self.columns + column));
-        let near = all.filter(|&index| cells[index] && distance(index) <= NEAR * NEAR);
+        let near = self.cells(Bounds::around_point(place, NEAR));
+        let near = near.filter(|&index| cells[index] && distance(index) <= NEAR * NEAR);
         near.min_by(|&one, &other| distance(one).total_cmp(&distance(other)))
     }
 
