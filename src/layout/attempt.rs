@@ -248,3 +248,40 @@ fn missed(environment: &Environment<'_>) -> BTreeSet<AgentIndex> {
     });
     missed.iter().copied().chain(parents.flatten()).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalog::{Count, Untidiness};
+    use crate::layout::brief::RoomBrief;
+    use crate::layout::tests::{WIDE, catalog, level};
+    use crate::layout::{Alternative, FurnishOptions};
+
+    #[test]
+    fn required_pieces_stand_before_others_of_a_higher_priority_search() {
+        let (desk, shelf) = (1, 4);
+        let mut catalog =
+            catalog(&[(desk, Count::Fixed(1)), (shelf, Count::Fixed(2))], Untidiness::default());
+        catalog.classes[shelf].priority = 9;
+        for room_type in catalog.room_types.values_mut() {
+            room_type.programme[0].is_required = true;
+        }
+        let level = level(WIDE);
+        let options = FurnishOptions::new(1, "test");
+        let room = RoomBrief::new(level.room(0), &catalog, &options).expect("offices are furnished");
+        let alternative = Alternative { puts_required_first: true, ..Alternative::numbered(1) };
+        let brief = room.alternative(&alternative);
+        let urgency = vec![0; brief.pieces.len()];
+        let start = Start { urgency: &urgency, heeds_tags: false, turn: 0, is_traced: false };
+        let mut environment = Environment::new(&brief, &start);
+        put_required(&mut environment, brief.key, true);
+        let is_desk = |agent: AgentIndex| environment.agents[agent].piece.class == desk;
+        for agent in 0..environment.agents.len() {
+            let waits = environment.agents[agent].state == State::Search;
+            assert_eq!(
+                (waits, environment.agents[agent].rest().is_some()),
+                (!is_desk(agent), is_desk(agent))
+            );
+        }
+    }
+}

@@ -12,6 +12,7 @@ mod hanging;
 mod near;
 mod notes;
 mod obstruction;
+mod slots;
 
 use super::agent::{Agent, Rest, State};
 use super::body::{append_solids, clearance_solid, seat};
@@ -20,6 +21,7 @@ use super::lattice::KnownBlock;
 use super::place::{AgentIndex, ParentPart, Place};
 use super::surroundings::KeptFree;
 use super::trace::Trace;
+use slots::RefusedSlots;
 
 /// Owner of what belongs to the room and not to an agent.
 const ROOM: AgentIndex = AgentIndex::MAX;
@@ -57,6 +59,7 @@ pub(crate) struct Environment<'a> {
     kept_free_grid: Grid,
     /// The lattice of lamps that was worked out last.
     pub(crate) known_block: KnownBlock,
+    refused_slots: RefCell<RefusedSlots>,
     /// Memory for the parts of the shape under test: thousands of tests a room share one allocation.
     scratch: Cell<Vec<Solid>>,
     /// The steps so far.
@@ -124,6 +127,7 @@ impl<'a> Environment<'a> {
             kept_free: surroundings.kept_free.clone(),
             kept_free_grid: surroundings.kept_free_grid.clone(),
             known_block: KnownBlock::default(),
+            refused_slots: RefCell::default(),
             scratch: Cell::default(),
             steps: Cell::default(),
         };
@@ -203,6 +207,7 @@ impl<'a> Environment<'a> {
     /// Takes a resting agent out of the room; its children keep their state and must be seen to by the caller.
     pub(crate) fn unsettle(&mut self, agent: AgentIndex) {
         let Some(rest) = self.agents[agent].rest().copied() else { return };
+        self.refused_slots.get_mut().forget();
         if let ParentPart::Agent(parent) = rest.parent {
             let parent = &mut self.agents[parent];
             parent.taken[rest.side.index()] -= 1;

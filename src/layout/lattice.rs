@@ -5,11 +5,48 @@ use std::cell::Cell;
 use crate::catalog::{ClassIndex, Grid};
 use crate::geometry::{Bounds, Point};
 
+use super::body::Pose;
+
 /// Added before rounding down, so that a length of exactly n intervals counts n.
 const ROUNDING: f64 = 1e-9;
 
+/// Where the agents of a class stand: the same for all of them.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Lattice {
+    /// The axes of the lattice at its angle.
+    pub(crate) frame: Pose,
+    /// Radians of its rows.
+    pub(crate) angle: f64,
+    /// Metres of its undersides above the floor.
+    pub(crate) elevation: f64,
+    /// Along its rows and across them.
+    pub(crate) axes: [Axis; 2],
+    /// Who stands at a place.
+    pub(crate) members: Vec<Member>,
+    /// The places that the agents take.
+    pub(crate) block: Block,
+    /// Where the middles of places may be at all.
+    pub(crate) middles: Bounds,
+}
+
+impl Lattice {
+    /// Where a member stands at a place in the frame of the lattice.
+    pub(crate) fn pose(&self, place: Point, member: &Member) -> Pose {
+        Pose::new(self.frame.turn(place + member.offset), self.elevation, self.angle + member.turn)
+    }
+}
+
+/// The agent at a place of the lattice.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Member {
+    /// From the place, in the frame of the lattice.
+    pub(crate) offset: Point,
+    /// Radians beyond the angle of the lattice.
+    pub(crate) turn: f64,
+}
+
 /// The places of a lattice that its agents take.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Block {
     /// The first place, in the frame of the lattice.
     pub(crate) first: Point,
@@ -28,6 +65,22 @@ impl Block {
         let at = [index % self.counts[0], index / self.counts[0]];
         let offset = |axis: usize| axes[axis].offset(at[axis], self.counts[axis]);
         self.first + Point::new(offset(0), offset(1))
+    }
+}
+
+/// Which slots of a lattice the proposals of an agent are: those of the block, beginning with one of them, and those around it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slots {
+    /// The first slot that is proposed.
+    pub(crate) first: usize,
+    /// How many slots the block has.
+    pub(crate) in_block: usize,
+}
+
+impl Slots {
+    /// The slot of a proposal.
+    pub(crate) fn slot(self, proposal: usize) -> usize {
+        if proposal < self.in_block { (proposal + self.first) % self.in_block } else { proposal }
     }
 }
 
@@ -75,7 +128,7 @@ impl KnownBlock {
 /// ```text
 ///  o--o--o----o--o----o--o     seven places, three at most in a block
 /// ```
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Axis {
     /// Metres between neighbours.
     interval: f64,

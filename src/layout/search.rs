@@ -10,6 +10,7 @@ use super::constants::{
 };
 use super::environment::Environment;
 use super::furnished::RemovalReason;
+use super::lattice::Slots;
 use super::place::{AgentIndex, ParentPart, Place};
 use super::rules::{self, Score, View};
 use super::seed::{Purpose, RoomKey, Stream};
@@ -49,17 +50,17 @@ pub(crate) fn search(
             poses.clear();
             // What turns to something takes the wall of what it faces: its parents are in that order.
             choice.taste = if rule.orientation.turn == Turn::Facing { 0.0 } else { TASTE * taste.unit() };
-            rules::propose(&view, key, &mut stream, &mut poses);
-            choice.consider(&view, &poses, &mut failures);
+            let slots = rules::propose(&view, key, &mut stream, &mut poses);
+            choice.consider(&view, &poses, slots, &mut failures);
             if may_scan && choice.best.is_none_or(|(score, _)| score.is_poor()) {
                 poses.clear();
                 rules::propose_rows(&view, key, &mut poses);
-                choice.consider(&view, &poses, &mut failures);
+                choice.consider(&view, &poses, None, &mut failures);
             }
             if may_scan && choice.best.is_none_or(|(score, _)| score.is_poor()) {
                 poses.clear();
                 rules::propose_scan(&view, care == Care::Thorough, &mut stream, &mut poses);
-                choice.consider(&view, &poses, &mut failures);
+                choice.consider(&view, &poses, None, &mut failures);
             }
             if choice.left == 0 {
                 break;
@@ -132,13 +133,13 @@ impl Choice {
     }
 
     /// Tests poses until enough are free; ties go to the earlier one.
-    fn consider(&mut self, view: &View<'_>, poses: &[Pose], failures: &mut Failures) {
-        for &pose in poses {
+    fn consider(&mut self, view: &View<'_>, poses: &[Pose], slots: Option<Slots>, failures: &mut Failures) {
+        for (index, &pose) in poses.iter().enumerate() {
             if self.left == 0 {
                 return;
             }
             let place = Place { pose, parent: view.parent, side: view.side };
-            if let Some(reason) = view.environment.refusal(view.agent, &place) {
+            if let Some(reason) = refusal(view, &place, slots.map(|slots| slots.slot(index))) {
                 failures.count(reason);
                 continue;
             }
@@ -164,6 +165,19 @@ impl Choice {
             }
         }
     }
+}
+
+/// Why an agent cannot or will not stand at a place; of a slot, by what is known of it where something is.
+fn refusal(view: &View<'_>, place: &Place, slot: Option<usize>) -> Option<RemovalReason> {
+    let environment = view.environment;
+    let Some(slot) = slot else { return environment.refusal(view.agent, place) };
+    if let Some(reason) = environment.known_refusal(slot) {
+        return Some(reason);
+    }
+    let before = environment.steps();
+    let reason = environment.refusal(view.agent, place)?;
+    environment.note_refusal(slot, reason, environment.steps() - before);
+    Some(reason)
 }
 
 /// Whether a piece is left out rather than let it make the room tight or dark: what the programme does not

@@ -295,6 +295,24 @@ fn mats_in_rows_lie_beside_each_other() {
 }
 
 #[test]
+fn what_is_known_of_the_places_of_a_lattice_changes_no_room() {
+    // Explanations know nothing of places that were refused before.
+    let mut catalog = catalog(&[(3, Count::Fixed(40)), (4, Count::Fixed(30))], Untidiness::default());
+    let grid = catalog.classes[3].grid;
+    let shelf = &mut catalog.classes[4];
+    shelf.parents = vec![rule(ParentName::Floor, &[Side::Above], Turn::Quarter, Along::Random)];
+    shelf.grid = grid.map(|grid| Grid { interval: Point::new(1.1, 0.7), is_back_to_back: true, ..grid });
+    let level = level(CONCAVE);
+    for seed in 0..20 {
+        let options = FurnishOptions::new(seed, "test");
+        let layout = RoomLayout::new(level.room(0), &catalog, &options);
+        let furnished = layout.furnish(&Alternative::default()).furnished;
+        assert!(furnished.placements.len() > 12 && !furnished.removals.is_empty());
+        assert_eq!(layout.explain(&Alternative::default()).0, furnished, "seed {seed}");
+    }
+}
+
+#[test]
 fn shelves_stand_back_to_back_in_rows_with_an_aisle_between() {
     let level = level(&[(0.0, 0.0), (9.0, 0.0), (9.0, 8.0), (0.0, 8.0)]);
     let mut catalog = catalog(&[(4, Count::Fixed(8))], Untidiness::default());

@@ -457,6 +457,26 @@ mod tests {
     }
 
     #[test]
+    fn a_strip_beside_a_corridor_makes_it_wider_and_a_niche_stays() {
+        // The bathroom goes on beside the corridor, 0.65 m wide, for as many metres.
+        let bathroom = |length: f64| {
+            ring([(1.35, 0.), (2., 0.), (2., length), (4., length), (4., length + 2.), (1.35, length + 2.)])
+        };
+        let corridor = |length: f64| ring([(0., 0.), (1.35, 0.), (1.35, length + 2.), (0., length + 2.)]);
+        let areas = |length: f64| {
+            let mut cells =
+                vec![Cell::shared(bathroom(length), "bathroom"), Cell::shared(corridor(length), "corridor")];
+            trade_strips(&mut cells, Rules::of_rooms(&Typologies::default()));
+            cells.iter().map(|cell| area(&cell.ring)).collect::<Vec<f64>>()
+        };
+        let widened = areas(5.0);
+        assert!(
+            (widened[0] - 2.65 * 2.0).abs() < 1e-9 && (widened[1] - (1.35 * 7.0 + 0.65 * 5.0)).abs() < 1e-9
+        );
+        assert_eq!(areas(1.5), [bathroom(1.5), corridor(1.5)].map(|ring| area(&ring)));
+    }
+
+    #[test]
     fn fixed_rooms_keep_what_they_have() {
         let left = ring([(0., 0.), (3., 0.), (3., 5.), (2.8, 5.), (2.8, 4.), (0., 4.)]);
         let right = ring([(3., 0.), (6., 0.), (6., 5.), (3., 5.)]);

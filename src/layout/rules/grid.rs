@@ -10,7 +10,7 @@ use crate::catalog::{Clearance, Grid, RelationKind, Side, Turn};
 use crate::geometry::{Bounds, Point};
 use crate::layout::body::Pose;
 use crate::layout::constants::{LINE_STEP, SCAN_POINTS};
-use crate::layout::lattice::{AskedBlock, Axis, Block, columns_and_rows};
+use crate::layout::lattice::{AskedBlock, Axis, Block, Lattice, Member, Slots, columns_and_rows};
 use crate::layout::place::ParentPart;
 use crate::layout::seed::{Purpose, RoomKey, Stream};
 
@@ -29,26 +29,32 @@ const MOST_BLOCKS: usize = 18;
 /// box of a room with a corner cut off may have no more places than it has lamps.
 const CLOSER: [f64; 4] = [1.0, 0.88, 0.78, 0.68];
 
-/// Poses on the lattice of the agent's class, starting with the first that no neighbour holds.
-pub(super) fn propose(view: &View<'_>, grid: &Grid, key: &RoomKey, poses: &mut Vec<Pose>) {
-    let lattice = Lattice::new(view, grid, key);
+/// Poses on the lattice of the agent's class, starting with the first that no neighbour holds; and which slots of it they are.
+pub(super) fn propose(view: &View<'_>, grid: &Grid, key: &RoomKey, poses: &mut Vec<Pose>) -> Slots {
+    let lattice = lattice_of(view, grid, key);
     let Lattice { members, axes, block, .. } = &lattice;
     let resting = view.environment.resting[view.environment.agents[view.agent].piece.class].len();
     let total = block.len() * members.len();
     // Each agent begins behind those that rest, where its own slot is usually free.
-    for slot in (0..total).map(|index| (index + resting) % total) {
-        let (place, member) = (slot / members.len(), &members[slot % members.len()]);
-        poses.push(lattice.pose(view, block.place(axes, place), member));
+    let slots = Slots { first: resting, in_block: total };
+    let poses_of = |member: &Member| lattice.pose(Point::ZERO, member);
+    let members_there: Vec<Pose> = members.iter().map(poses_of).collect();
+    for slot in (0..total).map(|index| slots.slot(index)) {
+        let (place, member) = (slot / members.len(), slot % members.len());
+        let place = block.place(axes, place) + members[member].offset;
+        poses.push(Pose { position: lattice.frame.turn(place), ..members_there[member] });
     }
     add_outside(*block, lattice.middles, axes, |point| {
-        poses.extend(members.iter().map(|member| lattice.pose(view, point, member)));
+        poses.extend(members.iter().map(|member| lattice.pose(point, member)));
     });
+    view.environment.begin_slots(view.agent, view.parent, lattice);
+    slots
 }
 
 /// Poses between the places of the lattice on its rows, then on its columns: who finds no place of its own stays in line with
 /// the others.
 pub(super) fn scan(view: &View<'_>, grid: &Grid, key: &RoomKey, poses: &mut Vec<Pose>) {
-    let lattice = Lattice::new(view, grid, key);
+    let lattice = lattice_of(view, grid, key);
     let Lattice { middles, axes, block: Block { first, counts }, .. } = &lattice;
     let lines = |axis: usize| {
         let before = axes[axis].count_before(first[axis] - middles.low[axis]);
@@ -66,75 +72,48 @@ pub(super) fn scan(view: &View<'_>, grid: &Grid, key: &RoomKey, poses: &mut Vec<
     let on_rows = lines(1).flat_map(|y| steps(0).map(move |x| Point::new(x, y)));
     let on_columns = lines(0).flat_map(|x| steps(1).map(move |y| Point::new(x, y)));
     for point in on_rows.chain(on_columns) {
-        poses.extend(lattice.members.iter().map(|member| lattice.pose(view, point, member)));
+        poses.extend(lattice.members.iter().map(|member| lattice.pose(point, member)));
     }
 }
 
-/// Where the agents of a class stand: the same for all of them.
-struct Lattice {
-    /// The axes of the lattice at its angle.
-    frame: Pose,
-    angle: f64,
-    axes: [Axis; 2],
-    members: Vec<Member>,
-    /// The places that the agents take.
-    block: Block,
-    /// Where the middles of places may be at all.
-    middles: Bounds,
-}
-
-impl Lattice {
-    fn new(view: &View<'_>, grid: &Grid, key: &RoomKey) -> Self {
-        // One stream for the class: all its agents must agree on the lattice.
-        let mut stream = key.stream(Purpose::Placement, &view.class.id, 0);
-        let watched = watched(view);
-        let angle =
-            watched.map_or_else(|| angle(view, &mut stream), |watched| angle_of_front(-watched.front));
-        // Rows and aisles go by the side of the pieces, not by the walls: pupils sit beside each other.
-        let frame = Pose::new(Point::ZERO, 0.0, angle);
-        let whole = extent(view, &frame);
-        let before = watched.map_or(whole, |watched| before(&frame, watched, grid));
-        let bounds = within_margins(view, grid, before);
-        let members = members(view, grid);
-        let half = half_of_place(view, grid);
-        let wanted = wanted(view).div_ceil(members.len());
-        let mut lay = |wanted, closer| {
-            let grid = Grid { interval: grid.interval * closer, ..*grid };
-            block_of(view, &grid, bounds, wanted, &mut stream)
-        };
-        let (block, axes) = match view.parent {
-            ParentPart::Ceiling => {
-                // Nothing else decides it: the lamps of a corridor do not work out hundreds of places each.
-                let asked = AskedBlock {
-                    class: view.environment.agents[view.agent].piece.class,
-                    grid: *grid,
-                    angle,
-                    bounds,
-                    half,
-                    wanted,
-                };
-                let find = || over_floor(wanted, lay, |place| is_over_floor(view, &frame, place, half));
-                view.environment.known_block.get_or(asked, find)
-            }
-            _ => lay(wanted, 1.0),
-        };
-        // Beyond the floor before what they look at are places for those who have none on it: in the arms of a cross.
-        let outer = if watched.is_some() { whole } else { bounds };
-        let middles = Bounds::new(outer.low + half, outer.high - half);
-        Self { frame, angle, axes, members, block, middles }
-    }
-
-    fn pose(&self, view: &View<'_>, point: Point, member: &Member) -> Pose {
-        Pose::new(self.frame.turn(point + member.offset), elevation(view), self.angle + member.turn)
-    }
-}
-
-/// The agent at a place of the lattice.
-struct Member {
-    /// From the place, in the frame of the lattice.
-    offset: Point,
-    /// Radians beyond the angle of the lattice.
-    turn: f64,
+/// The lattice of an agent's class.
+fn lattice_of(view: &View<'_>, grid: &Grid, key: &RoomKey) -> Lattice {
+    // One stream for the class: all its agents must agree on the lattice.
+    let mut stream = key.stream(Purpose::Placement, &view.class.id, 0);
+    let watched = watched(view);
+    let angle = watched.map_or_else(|| angle(view, &mut stream), |watched| angle_of_front(-watched.front));
+    // Rows and aisles go by the side of the pieces, not by the walls: pupils sit beside each other.
+    let frame = Pose::new(Point::ZERO, 0.0, angle);
+    let whole = extent(view, &frame);
+    let before = watched.map_or(whole, |watched| before(&frame, watched, grid));
+    let bounds = within_margins(view, grid, before);
+    let members = members(view, grid);
+    let half = half_of_place(view, grid);
+    let wanted = wanted(view).div_ceil(members.len());
+    let mut lay = |wanted, closer| {
+        let grid = Grid { interval: grid.interval * closer, ..*grid };
+        block_of(view, &grid, bounds, wanted, &mut stream)
+    };
+    let (block, axes) = match view.parent {
+        ParentPart::Ceiling => {
+            // Nothing else decides it: the lamps of a corridor do not work out hundreds of places each.
+            let asked = AskedBlock {
+                class: view.environment.agents[view.agent].piece.class,
+                grid: *grid,
+                angle,
+                bounds,
+                half,
+                wanted,
+            };
+            let find = || over_floor(wanted, lay, |place| is_over_floor(view, &frame, place, half));
+            view.environment.known_block.get_or(asked, find)
+        }
+        _ => lay(wanted, 1.0),
+    };
+    // Beyond the floor before what they look at are places for those who have none on it: in the arms of a cross.
+    let outer = if watched.is_some() { whole } else { bounds };
+    let middles = Bounds::new(outer.low + half, outer.high - half);
+    Lattice { frame, angle, elevation: elevation(view), axes, members, block, middles }
 }
 
 /// One at each place, or two whose backs meet there.

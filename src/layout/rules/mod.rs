@@ -26,6 +26,7 @@ use crate::catalog::{Class, ParentRule, Side, Size};
 use super::body::Pose;
 use super::constants::STEPS_A_PROPOSAL;
 use super::environment::Environment;
+use super::lattice::Slots;
 use super::place::{AgentIndex, ParentPart};
 use super::seed::{RoomKey, Stream};
 
@@ -48,11 +49,16 @@ pub(crate) struct View<'a> {
     pub(crate) side: Side,
 }
 
-/// Appends the poses that an agent would take at a side of a parent, best first.
-pub(crate) fn propose(view: &View<'_>, key: &RoomKey, stream: &mut Stream, poses: &mut Vec<Pose>) {
+/// Appends the poses that an agent would take at a side of a parent, best first. Of a lattice, says which slots they are.
+pub(crate) fn propose(
+    view: &View<'_>,
+    key: &RoomKey,
+    stream: &mut Stream,
+    poses: &mut Vec<Pose>,
+) -> Option<Slots> {
     view.environment.count_steps(STEPS_A_PROPOSAL);
     if let (Some(grid), ParentPart::Floor | ParentPart::Ceiling) = (&view.class.grid, view.parent) {
-        return grid::propose(view, grid, key, poses);
+        return Some(grid::propose(view, grid, key, poses));
     }
     match view.parent {
         ParentPart::Floor | ParentPart::Ceiling => floor::propose(view, stream, poses),
@@ -66,6 +72,7 @@ pub(crate) fn propose(view: &View<'_>, key: &RoomKey, stream: &mut Stream, poses
             }
         },
     }
+    None
 }
 
 /// Appends a scan along the rows in which the agent's class stands, if any: who found no place of its own stays in line.
