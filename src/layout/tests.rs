@@ -297,7 +297,7 @@ fn mats_in_rows_lie_beside_each_other() {
 #[test]
 fn what_is_known_of_the_places_of_a_lattice_changes_no_room() {
     // Explanations know nothing of places that were refused before.
-    let mut catalog = catalog(&[(3, Count::Fixed(40)), (4, Count::Fixed(30))], Untidiness::default());
+    let mut catalog = catalog(&[(3, Count::Fixed(40)), (4, Count::Fixed(80))], Untidiness::default());
     let grid = catalog.classes[3].grid;
     let shelf = &mut catalog.classes[4];
     shelf.parents = vec![rule(ParentName::Floor, &[Side::Above], Turn::Quarter, Along::Random)];
