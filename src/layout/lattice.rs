@@ -84,6 +84,9 @@ impl Slots {
     }
 }
 
+/// A block with the axes of its lattice.
+pub(crate) type LaidBlock = (Block, [Axis; 2]);
+
 /// What the block of some agents depends on within an attempt.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct AskedBlock {
@@ -103,15 +106,11 @@ pub(crate) struct AskedBlock {
 
 /// The block that was asked for last: the agents of a class ask for the same one after the other.
 #[derive(Debug, Default)]
-pub(crate) struct KnownBlock(Cell<Option<(AskedBlock, (Block, [Axis; 2]))>>);
+pub(crate) struct KnownBlock(Cell<Option<(AskedBlock, LaidBlock)>>);
 
 impl KnownBlock {
     /// The block that is known, else the one that is found.
-    pub(crate) fn get_or(
-        &self,
-        asked: AskedBlock,
-        find: impl FnOnce() -> (Block, [Axis; 2]),
-    ) -> (Block, [Axis; 2]) {
+    pub(crate) fn get_or(&self, asked: AskedBlock, find: impl FnOnce() -> LaidBlock) -> LaidBlock {
         match self.0.get() {
             Some((known, found)) if known == asked => found,
             _ => {

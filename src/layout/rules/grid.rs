@@ -10,7 +10,7 @@ use crate::catalog::{Clearance, Grid, RelationKind, Side, Turn};
 use crate::geometry::{Bounds, Point};
 use crate::layout::body::Pose;
 use crate::layout::constants::{LINE_STEP, SCAN_POINTS};
-use crate::layout::lattice::{AskedBlock, Axis, Block, Lattice, Member, Slots, columns_and_rows};
+use crate::layout::lattice::{AskedBlock, Axis, Block, LaidBlock, Lattice, Member, Slots, columns_and_rows};
 use crate::layout::place::ParentPart;
 use crate::layout::seed::{Purpose, RoomKey, Stream};
 
@@ -191,13 +191,7 @@ fn within_margins(view: &View<'_>, grid: &Grid, room: Bounds) -> Bounds {
 }
 
 /// The block of so many places within some bounds, and its axes.
-fn block_of(
-    view: &View<'_>,
-    grid: &Grid,
-    bounds: Bounds,
-    wanted: usize,
-    stream: &mut Stream,
-) -> (Block, [Axis; 2]) {
+fn block_of(view: &View<'_>, grid: &Grid, bounds: Bounds, wanted: usize, stream: &mut Stream) -> LaidBlock {
     let axes = [Axis::new(grid, 0), Axis::new(grid, 1)];
     let frame_room = |margins: &Margins| (bounds.size() - margins.low - margins.high).max(Point::ZERO);
     let most_in = |room: Point| [axes[0].count(room.x), axes[1].count(room.y)];
@@ -229,9 +223,9 @@ fn block_of(
 /// so many at any interval, the first.
 fn over_floor(
     wanted: usize,
-    mut lay: impl FnMut(usize, f64) -> (Block, [Axis; 2]),
+    mut lay: impl FnMut(usize, f64) -> LaidBlock,
     is_over_floor: impl Fn(Point) -> bool,
-) -> (Block, [Axis; 2]) {
+) -> LaidBlock {
     for closer in CLOSER {
         let mut asked = wanted;
         for _ in 0..MOST_BLOCKS {
