@@ -19,9 +19,9 @@ use super::body::{append_solids, clearance_solid, seat};
 use super::brief::Brief;
 use super::lattice::KnownBlock;
 use super::place::{AgentIndex, ParentPart, Place};
+use super::refused_slots::RefusedSlots;
 use super::surroundings::KeptFree;
 use super::trace::Trace;
-use slots::RefusedSlots;
 
 /// Owner of what belongs to the room and not to an agent.
 const ROOM: AgentIndex = AgentIndex::MAX;

@@ -37,6 +37,7 @@ mod options;
 mod place;
 mod programme;
 mod push;
+mod refused_slots;
 mod result;
 mod rules;
 mod search;
