@@ -1,4 +1,4 @@
-//! The numbers of a lattice: how many places a length has room for, and how many columns and rows some pieces make.
+//! A lattice: where its places are, how many of them a length has room for, and how many columns and rows some pieces make.
 
 use std::cell::Cell;
 
@@ -13,10 +13,8 @@ const ROUNDING: f64 = 1e-9;
 /// Where the agents of a class stand: the same for all of them.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Lattice {
-    /// The axes of the lattice at its angle.
+    /// Its axes, at the angle of its rows.
     pub(crate) frame: Pose,
-    /// Radians of its rows.
-    pub(crate) angle: f64,
     /// Metres of its undersides above the floor.
     pub(crate) elevation: f64,
     /// Along its rows and across them.
@@ -32,7 +30,7 @@ pub(crate) struct Lattice {
 impl Lattice {
     /// Where a member stands at a place in the frame of the lattice.
     pub(crate) fn pose(&self, place: Point, member: &Member) -> Pose {
-        Pose::new(self.frame.turn(place + member.offset), self.elevation, self.angle + member.turn)
+        Pose::new(self.frame.turn(place + member.offset), self.elevation, self.frame.angle + member.turn)
     }
 }
 

@@ -12,7 +12,7 @@ impl Environment<'_> {
     pub(crate) fn begin_slots(&self, agent: AgentIndex, parent: ParentPart, lattice: Lattice) {
         let mut slots = self.refused_slots.borrow_mut();
         let piece = self.agents[agent].piece;
-        // The children of an agent are in nobody's way but that of others.
+        // An agent is not in the way of its own children, others are: what it is refused says nothing of them.
         if self.trace.is_some() || !self.agents[agent].children.is_empty() {
             return slots.forget();
         }

@@ -37,12 +37,12 @@ pub(super) fn propose(view: &View<'_>, grid: &Grid, key: &RoomKey, poses: &mut V
     let total = block.len() * members.len();
     // Each agent begins behind those that rest, where its own slot is usually free.
     let slots = Slots { first: resting, in_block: total };
-    let poses_of = |member: &Member| lattice.pose(Point::ZERO, member);
-    let members_there: Vec<Pose> = members.iter().map(poses_of).collect();
+    // Members look the same way at all places: their directions are worked out once.
+    let turned: Vec<Pose> = members.iter().map(|member| lattice.pose(Point::ZERO, member)).collect();
     for slot in (0..total).map(|index| slots.slot(index)) {
         let (place, member) = (slot / members.len(), slot % members.len());
         let place = block.place(axes, place) + members[member].offset;
-        poses.push(Pose { position: lattice.frame.turn(place), ..members_there[member] });
+        poses.push(Pose { position: lattice.frame.turn(place), ..turned[member] });
     }
     add_outside(*block, lattice.middles, axes, |point| {
         poses.extend(members.iter().map(|member| lattice.pose(point, member)));
@@ -113,7 +113,7 @@ fn lattice_of(view: &View<'_>, grid: &Grid, key: &RoomKey) -> Lattice {
     // Beyond the floor before what they look at are places for those who have none on it: in the arms of a cross.
     let outer = if watched.is_some() { whole } else { bounds };
     let middles = Bounds::new(outer.low + half, outer.high - half);
-    Lattice { frame, angle, elevation: elevation(view), axes, members, block, middles }
+    Lattice { frame, elevation: elevation(view), axes, members, block, middles }
 }
 
 /// One at each place, or two whose backs meet there.
