@@ -11,9 +11,9 @@ pub mod best {
 }
 pub mod catalog {
     pub use crate::catalog::{
-        Access, ById, Catalog, Class, ClassIndex, DEFAULT_STYLE, Dado, Finish, FittedPart, Material, Palette,
-        PaletteRef, Plausible, RoomType, Share, Side, Size, Style, StyleRef, Untidiness, VariantRef,
-        load_catalog,
+        Access, ById, Catalog, Class, ClassIndex, DEFAULT_STYLE, Dado, Finish, FittedPart, Material,
+        ModelSource, Palette, PaletteRef, Plausible, RoomType, Share, Side, Size, Style, StyleRef,
+        Untidiness, VariantRef, load_catalog,
     };
 }
 pub mod contract {
@@ -35,7 +35,9 @@ pub mod edits {
     pub use crate::edits::{EditBook, read_edits};
 }
 pub mod geometry {
-    pub use crate::geometry::{Bounds, Convex, Point, Polygon, Region, Segment, Size, direction};
+    pub use crate::geometry::{
+        Bounds, Convex, DisjointSets, Point, Polygon, Region, Segment, Size, direction,
+    };
 }
 pub mod gltf {
     pub use crate::gltf::{
@@ -52,7 +54,7 @@ pub mod layout {
 pub mod model {
     pub use crate::model::{
         Image, Model, ModelLibrary, ModelMaterial, OwnMaterial, Primitive, SwatchedModels, Texture,
-        TextureSampler, TextureUse, Transparency,
+        TextureSampler, TextureUse, Transparency, distance_outside, prisms_of,
     };
 }
 pub mod output {

@@ -35,6 +35,14 @@ pub fn load_catalog(extra_folders: &[PathBuf]) -> Result<Warned<Catalog>, Faults
     load_files(&files)
 }
 
+/// What [`load_catalog`] gives without folders, for tests: read once, as it takes a second without optimisation.
+#[cfg(test)]
+pub(crate) fn builtin_catalog() -> &'static Catalog {
+    static CATALOG: std::sync::LazyLock<Catalog> =
+        std::sync::LazyLock::new(|| load_catalog(&[]).unwrap_or_else(|faults| panic!("{faults}")).value);
+    &CATALOG
+}
+
 /// As [`load_catalog`], but with the catalogue as far as it goes, for reading on in search of faults. What faulty files may
 /// define counts as known to its room words.
 pub(crate) fn load_catalog_so_far(extra_folders: &[PathBuf]) -> (Catalog, Faults) {

@@ -51,6 +51,8 @@ pub use describe::{Description, describe, style_differences};
 pub(crate) use file::{ClassFile, HouseholdsFile, PaletteFile, RoomFile, StyleFile, WordsFile};
 pub use households::{Claim, Homes, Household, Households, Role};
 pub use light::{Light, LightSide};
+#[cfg(test)]
+pub(crate) use load::builtin_catalog;
 pub use load::load_catalog;
 pub(crate) use load::load_catalog_so_far;
 pub use palette::{Palette, SURFACES};

@@ -7,18 +7,14 @@ use std::time::{Duration, Instant};
 
 use super::*;
 
-fn catalog() -> Catalog {
-    crate::catalog::load_catalog(&[]).unwrap().value
+fn catalog() -> &'static Catalog {
+    crate::catalog::builtin_catalog()
 }
 
 fn compared(old: &Path, new: &Path) -> Report {
     let catalog = catalog();
-    let options = DiffOptions {
-        tolerance: Tolerance::default(),
-        catalog: &catalog,
-        is_thorough: false,
-        observer: &|_, _| (),
-    };
+    let options =
+        DiffOptions { tolerance: Tolerance::default(), catalog, is_thorough: false, observer: &|_, _| () };
     compare(old, new, &options).unwrap().0
 }
 
@@ -100,12 +96,8 @@ fn equal_files_are_not_opened() {
     // Both are the same rubbish; with one of them in order, a thorough comparison notices the other.
     fs::write(old.join("b0/1.gltf"), level(1, 1.0)).unwrap();
     let catalog = catalog();
-    let options = DiffOptions {
-        tolerance: Tolerance::default(),
-        catalog: &catalog,
-        is_thorough: true,
-        observer: &|_, _| (),
-    };
+    let options =
+        DiffOptions { tolerance: Tolerance::default(), catalog, is_thorough: true, observer: &|_, _| () };
     let (report, _) = compare(&old, &new, &options).unwrap();
     assert!(report.levels[1].state == Presence::Unreadable && report.troubles.len() == 1, "{report:?}");
 }
@@ -142,12 +134,8 @@ fn a_folder_and_a_file_cannot_be_compared() {
     let root = tempfile::tempdir().unwrap();
     bake(root.path(), 1, 0);
     let catalog = catalog();
-    let options = DiffOptions {
-        tolerance: Tolerance::default(),
-        catalog: &catalog,
-        is_thorough: false,
-        observer: &|_, _| (),
-    };
+    let options =
+        DiffOptions { tolerance: Tolerance::default(), catalog, is_thorough: false, observer: &|_, _| () };
     let faults = compare(root.path(), &root.path().join("b0/0.gltf"), &options).unwrap_err();
     assert!(faults.to_string().contains("two folders, or two files"), "{faults}");
     // The faults of both sides are reported, not only those of the first.
@@ -193,7 +181,7 @@ fn pictures(old: &str, new: &str) -> RoomPictures {
     let report = compared(&before, &after);
     let level = &report.levels[0];
     let rooms: Vec<&RoomDiff> = level.rooms.iter().collect();
-    draw_rooms(level, &rooms, &before, &after, &catalog()).remove(0)
+    draw_rooms(level, &rooms, &before, &after, catalog()).remove(0)
 }
 
 #[test]
@@ -232,7 +220,7 @@ fn a_room_on_one_side_has_one_picture() {
     fs::write(&after, other).unwrap();
     let report = compared(&before, &after);
     let rooms: Vec<&RoomDiff> = report.levels[0].rooms.iter().collect();
-    let drawn = draw_rooms(&report.levels[0], &rooms, &before, &after, &catalog());
+    let drawn = draw_rooms(&report.levels[0], &rooms, &before, &after, catalog());
     let sides: Vec<(bool, bool)> =
         drawn.iter().map(|pair| (pair.old.is_some(), pair.new.is_some())).collect();
     assert_eq!(sides, [(true, false), (false, true)]);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::Occupancy;
-use crate::catalog::{Catalog, load_catalog};
+use crate::catalog::{Catalog, builtin_catalog};
 use crate::geometry::{Point, Polygon, Region};
 use crate::plan::{Building, Level, Opening, OpeningKind, OpeningSide, Room, RoomOpening};
 
@@ -62,8 +62,8 @@ fn open(level: &mut Level, kind: OpeningKind, rooms: &[usize]) {
     }
 }
 
-fn catalog() -> Catalog {
-    load_catalog(&[]).unwrap().value
+fn catalog() -> &'static Catalog {
+    builtin_catalog()
 }
 
 /// The rooms of a building's first level with the people of a seed.
@@ -80,7 +80,7 @@ fn types(rooms: &[Room]) -> Vec<&str> {
 fn types_with(household: &str, of: &[(&str, f64)]) -> Vec<String> {
     let mut building = flat(of);
     building.levels[0].rooms[0].household = Some(household.to_owned());
-    let rooms = rooms(&building, 1, &catalog());
+    let rooms = rooms(&building, 1, catalog());
     assert!(rooms.iter().all(|room| room.home.as_ref().unwrap().household == household));
     types(&rooms).into_iter().map(str::to_owned).collect()
 }
@@ -99,7 +99,7 @@ const FLAT: [(&str, f64); 7] = [
 fn the_largest_open_room_is_the_only_living_room_and_the_next_the_main_bedroom() {
     let (catalog, building) = (catalog(), flat(&FLAT));
     for seed in 0..40 {
-        let rooms = rooms(&building, seed, &catalog);
+        let rooms = rooms(&building, seed, catalog);
         let types = types(&rooms);
         assert_eq!(types[4], "living_dining", "the kitchen has no room for a table");
         assert!(["main_bedroom", "elders_bedroom", "shared_room"].contains(&types[5]), "{types:?}");
@@ -140,7 +140,7 @@ fn what_a_plan_names_stays_and_says_who_lives_there() {
     (named[3].0, named[5].0, named[6].0) = ("childrens_room", "bedroom", "study");
     let building = flat(&named);
     for seed in 0..40 {
-        let rooms = rooms(&building, seed, &catalog);
+        let rooms = rooms(&building, seed, catalog);
         assert_eq!(types(&rooms)[3..], ["childrens_room", "living_dining", "main_bedroom", "study"]);
         assert!(rooms[0].home.as_ref().unwrap().household.starts_with("family"), "{:?}", rooms[0].home);
     }
@@ -150,16 +150,16 @@ fn what_a_plan_names_stays_and_says_who_lives_there() {
 fn one_room_with_a_bath_is_lived_and_slept_in_and_without_one_lived_in_only() {
     let studio = [("corridor", 4.0), ("kitchen", 4.0), ("bathroom", 4.0), ("room", 22.0)];
     let catalog = catalog();
-    assert_eq!(types(&rooms(&flat(&studio), 3, &catalog))[3], "studio");
+    assert_eq!(types(&rooms(&flat(&studio), 3, catalog))[3], "studio");
     let below = [("corridor", 4.0), ("kitchen", 4.0), ("toilet", 2.0), ("room", 22.0)];
-    assert_eq!(types(&rooms(&flat(&below), 3, &catalog))[3], "living_dining");
+    assert_eq!(types(&rooms(&flat(&below), 3, catalog))[3], "living_dining");
 }
 
 #[test]
 fn a_second_living_room_has_no_screen() {
     let mut two = FLAT;
     (two[4].0, two[5].0) = ("living_room", "living_room");
-    assert_eq!(types(&rooms(&flat(&two), 1, &catalog()))[4..6], ["living_room", "sitting_room"]);
+    assert_eq!(types(&rooms(&flat(&two), 1, catalog()))[4..6], ["living_room", "sitting_room"]);
 }
 
 #[test]
@@ -167,7 +167,7 @@ fn people_cook_in_their_living_room_where_the_plan_names_no_kitchen() {
     let catalog = catalog();
     let role = |bath: &str, (living, area): (&str, f64), other: &str| {
         let flat = flat(&[("corridor", 6.0), (bath, 4.0), (living, area), (other, 14.0)]);
-        rooms(&flat, 1, &catalog)[2].room_type.clone()
+        rooms(&flat, 1, catalog)[2].room_type.clone()
     };
     let living_room = |bath: &str, other: &str, area: f64| role(bath, ("living_dining", area), other);
     let studio = |bath: &str, other: &str, area: f64| role(bath, ("studio", area), other);
@@ -189,7 +189,7 @@ fn offices_hotels_and_rooms_by_themselves_are_no_dwellings() {
     for others in
         [&[("corridor", 8.0), ("kitchen", 8.0), ("office", 20.0), ("room", 20.0)][..], &[("room", 20.0)]]
     {
-        let rooms = rooms(&flat(others), 1, &catalog);
+        let rooms = rooms(&flat(others), 1, catalog);
         assert!(rooms.iter().all(|room| room.home.is_none()));
         assert_eq!(types(&rooms).last(), Some(&"room"));
     }
@@ -202,7 +202,7 @@ fn a_dwelling_keeps_its_people_whatever_is_beside_it() {
     let mut both = alone.clone();
     both.levels[0].rooms.splice(0..0, named_flat(20, "2"));
     for seed in 0..20 {
-        let (alone, both) = (rooms(&alone, seed, &catalog), rooms(&both, seed, &catalog));
+        let (alone, both) = (rooms(&alone, seed, catalog), rooms(&both, seed, catalog));
         assert_eq!(types(&alone), types(&both)[FLAT.len()..]);
         assert_eq!(alone[0].home, both[FLAT.len()].home);
     }
@@ -231,7 +231,7 @@ fn flats_of_a_building_differ_and_small_ones_have_few_people() {
     let catalog = catalog();
     let people = |of: &[(&str, f64)]| -> f64 {
         (0..200)
-            .map(|seed| f64::from(rooms(&flat(of), seed, &catalog)[0].home.as_ref().unwrap().persons))
+            .map(|seed| f64::from(rooms(&flat(of), seed, catalog)[0].home.as_ref().unwrap().persons))
             .sum()
     };
     let small = [("corridor", 4.0), ("kitchen", 8.0), ("bathroom", 4.0), ("room", 20.0), ("room", 12.0)];

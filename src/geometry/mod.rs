@@ -17,7 +17,7 @@ mod solid;
 
 pub use bounds::Bounds;
 pub use convex::{Convex, DISC_CORNERS};
-pub(crate) use disjoint_sets::DisjointSets;
+pub use disjoint_sets::DisjointSets;
 pub use extent::{Side, Size};
 pub use grid::Grid;
 pub use interval::Intervals;

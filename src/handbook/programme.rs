@@ -104,7 +104,7 @@ fn show_count(catalog: &Catalog, count: Count) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalog::load_catalog;
+    use crate::catalog::builtin_catalog;
 
     fn request(class: usize, count: Count) -> Request {
         Request {
@@ -121,7 +121,7 @@ mod tests {
 
     #[test]
     fn lines_of_one_piece_for_different_areas_are_one() {
-        let catalog = load_catalog(&[]).unwrap().value;
+        let catalog = builtin_catalog();
         let [desk, chair, shelf, plant] =
             ["desk", "chair", "bookshelf", "plant"].map(|id| catalog.class_index(id).unwrap());
         let programme = vec![
@@ -133,7 +133,7 @@ mod tests {
             request(chair, Count::PerPiece(shelf, 0.5)),
         ];
         let room_type = RoomType { programme, ..catalog.room_types["office"].clone() };
-        let lines = programme_lines(&catalog, &room_type);
+        let lines = programme_lines(catalog, &room_type);
         assert_eq!(
             lines,
             [

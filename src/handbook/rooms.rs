@@ -74,9 +74,9 @@ mod tests {
 
     #[test]
     fn a_room_type_without_a_picture_is_listed_all_the_same() {
-        let catalog = crate::catalog::load_catalog(&[]).unwrap().value;
+        let catalog = crate::catalog::builtin_catalog();
         let office = &catalog.room_types["administration"];
-        let text = entry(&catalog, office, &Pictures(BTreeMap::new()));
+        let text = entry(catalog, office, &Pictures(BTreeMap::new()));
         assert!(text.starts_with("\n#### Administration\n\n`administration`, extends `office`, "), "{text}");
         assert!(!text.contains("!["));
     }

@@ -258,19 +258,19 @@ fn opening(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalog::load_catalog;
+    use crate::catalog::builtin_catalog;
 
     #[test]
     fn samples_are_of_a_usual_size_and_have_their_openings() {
-        let catalog = load_catalog(&[]).unwrap().value;
+        let catalog = builtin_catalog();
         for room_type in catalog.room_types.values().filter(|room_type| room_type.is_furnished) {
-            let level = sample_level(&catalog, room_type).unwrap();
+            let level = sample_level(catalog, room_type).unwrap();
             let area = level.rooms[0].region.area();
             let (least, most) = room_type.area;
             assert!(area > least * 0.95 && area < most * 1.05, "{}: {area}", room_type.id);
-            let place = place_of(&catalog, room_type);
-            let has_window = has_window(&catalog, room_type, place);
-            let has_two_ways = place == SampleKind::Way || holds(&catalog, room_type, VEHICLE);
+            let place = place_of(catalog, room_type);
+            let has_window = has_window(catalog, room_type, place);
+            let has_two_ways = place == SampleKind::Way || holds(catalog, room_type, VEHICLE);
             let count = 1 + usize::from(has_window) + usize::from(has_two_ways);
             assert_eq!(level.openings.len(), count, "{}", room_type.id);
         }
@@ -278,9 +278,9 @@ mod tests {
 
     #[test]
     fn a_window_is_where_people_sit() {
-        let catalog = load_catalog(&[]).unwrap().value;
+        let catalog = builtin_catalog();
         let windows = |id: &str| {
-            let level = sample_level(&catalog, &catalog.room_types[id]).unwrap();
+            let level = sample_level(catalog, &catalog.room_types[id]).unwrap();
             level.openings.iter().filter(|opening| opening.kind == OpeningKind::Window).count()
         };
         assert_eq!(["bedroom", "office", "toilet", "cinema", "corridor"].map(windows), [1, 1, 0, 0, 0]);
@@ -288,9 +288,9 @@ mod tests {
 
     #[test]
     fn a_small_room_keeps_its_floor_from_the_door() {
-        let catalog = load_catalog(&[]).unwrap().value;
+        let catalog = builtin_catalog();
         let leaf = |id: &str| {
-            let level = sample_level(&catalog, &catalog.room_types[id]).unwrap();
+            let level = sample_level(catalog, &catalog.room_types[id]).unwrap();
             let tip = level.openings[0].leaves[0].open_tip;
             (level.rooms[0].region.contains(tip), level.openings[0].leaves.len())
         };
@@ -299,8 +299,8 @@ mod tests {
 
     #[test]
     fn the_kind_of_a_sample_follows_from_its_programme() {
-        let catalog = load_catalog(&[]).unwrap().value;
-        let place = |id: &str| place_of(&catalog, &catalog.room_types[id]);
+        let catalog = builtin_catalog();
+        let place = |id: &str| place_of(catalog, &catalog.room_types[id]);
         assert_eq!(place("bedroom"), SampleKind::Room);
         assert_eq!(place("corridor"), SampleKind::Way);
         assert_eq!(place("ticket_hall"), SampleKind::Room);

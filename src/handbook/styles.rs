@@ -56,10 +56,10 @@ mod tests {
 
     #[test]
     fn equal_weights_are_not_shown() {
-        let catalog = crate::catalog::load_catalog(&[]).unwrap().value;
+        let catalog = crate::catalog::builtin_catalog();
         let weighted =
             |style: &str, weight: f64| WeightedStyle { style: catalog.styles.find(style).unwrap(), weight };
-        let show = |choice: &[WeightedStyle]| show_choice(&catalog, choice);
+        let show = |choice: &[WeightedStyle]| show_choice(catalog, choice);
         assert_eq!(show(&[weighted("hotel", 1.0), weighted("default", 1.0)]), "`hotel`, `default`");
         assert_eq!(show(&[weighted("hotel", 3.0), weighted("default", 1.0)]), "3 `hotel`, 1 `default`");
         assert_eq!(show(&[]), "`default`");
@@ -67,16 +67,16 @@ mod tests {
 
     #[test]
     fn a_building_style_shows_what_each_room_is_drawn_from() {
-        let catalog = crate::catalog::load_catalog(&[]).unwrap().value;
-        let row = building_row(&catalog, &catalog.building_styles["hotel_building"]);
+        let catalog = crate::catalog::builtin_catalog();
+        let row = building_row(catalog, &catalog.building_styles["hotel_building"]);
         assert!(row[4].contains("hotel_room: 3 `hotel`, 1 `hotel_budget`"), "{}", row[4]);
         assert!(row[4].ends_with("restaurant: 3 `restaurant_fine`, 1 `restaurant_simple`"), "{}", row[4]);
     }
 
     #[test]
     fn a_style_shows_what_it_changes() {
-        let catalog = crate::catalog::load_catalog(&[]).unwrap().value;
-        let text = style_section(&catalog);
+        let catalog = crate::catalog::builtin_catalog();
+        let text = style_section(catalog);
         let line = text.lines().find(|line| line.starts_with("| `hotel_budget` |")).unwrap();
         assert!(line.contains("| `hotel` |") && line.contains("palette: budget"), "{line}");
         assert!(!line.contains("made for"), "{line}");

@@ -95,7 +95,7 @@ mod tests {
     use crate::plan::{Level, Room};
 
     use super::*;
-    use crate::catalog::load_catalog;
+    use crate::catalog::builtin_catalog;
     use crate::layout::tests::level;
     use crate::recipes::find;
 
@@ -113,14 +113,14 @@ mod tests {
 
     #[test]
     fn flats_differ_and_each_is_of_one_piece() {
-        let catalog = load_catalog(&[]).unwrap().value;
+        let catalog = builtin_catalog();
         let level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
         let mut styles = BTreeSet::new();
         for flat in 0..24 {
             let dwelling = format!("flat {flat}");
             let of = |number, room_type| {
                 let room = room(&level, number, room_type, Some(&dwelling));
-                style_of(&room, &catalog, 1, "apartment_block")
+                style_of(&room, catalog, 1, "apartment_block")
             };
             let first = of(flat * 3, "living_room");
             assert_eq!(first, of(flat * 3 + 1, "bedroom"), "{dwelling}");
@@ -133,23 +133,22 @@ mod tests {
 
     #[test]
     fn without_dwellings_a_level_is_of_one_piece_and_seeds_differ() {
-        let catalog = load_catalog(&[]).unwrap().value;
+        let catalog = builtin_catalog();
         let level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
-        let of = |number, seed| {
-            style_of(&room(&level, number, "bedroom", None), &catalog, seed, "apartment_block")
-        };
+        let of =
+            |number, seed| style_of(&room(&level, number, "bedroom", None), catalog, seed, "apartment_block");
         assert!((0..12).all(|seed| of(1, seed) == of(2, seed)));
         assert!((0..12).map(|seed| of(1, seed)).collect::<BTreeSet<_>>().len() > 2);
     }
 
     #[test]
     fn furniture_looks_alike_in_what_the_building_style_shares_or_else_the_room_type() {
-        let catalog = load_catalog(&[]).unwrap().value;
+        let catalog = builtin_catalog();
         let level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
         let chair = Class::plain("chair", Vec::new(), find("chair").unwrap());
         let of = |room_type, dwelling, style| {
             let options = FurnishOptions::new(1, "block").with_style(style);
-            Series::new(room(&level, 1, room_type, dwelling).room(0), &catalog, &options).names(&chair).len()
+            Series::new(room(&level, 1, room_type, dwelling).room(0), catalog, &options).names(&chair).len()
         };
         let (building, level_of_building, dwelling) = (1, 2, 3);
         assert_eq!(of("living_room", Some("flat 1"), None), dwelling);
@@ -163,14 +162,14 @@ mod tests {
 
     #[test]
     fn a_room_keeps_its_own_style_and_a_building_style_of_its_own_wins_over_that_of_the_run() {
-        let catalog = load_catalog(&[]).unwrap().value;
+        let catalog = builtin_catalog();
         let level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
         let own = |style: &str, room_type| {
             let mut level = room(&level, 1, room_type, None);
             level.rooms[0].style = Some(style.to_owned());
             level
         };
-        let of = |room: &Level| style_of(room, &catalog, 1, "apartment_block").to_owned();
+        let of = |room: &Level| style_of(room, catalog, 1, "apartment_block").to_owned();
         assert_eq!(of(&own("home_loft", "bedroom")), "home_loft");
         assert!(of(&own("student_residence", "lobby")).starts_with("hotel"), "inherited by room type");
         assert!(of(&own("school_campus", "library")).starts_with("library"));
@@ -179,12 +178,12 @@ mod tests {
 
     #[test]
     fn a_few_hotel_rooms_are_made_for_wheelchairs_each_with_its_bathroom() {
-        let catalog = load_catalog(&[]).unwrap().value;
+        let catalog = builtin_catalog();
         let level = level(&[(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0)]);
         let is_accessible = |number: u32, room_type: &str, dwelling: &str| {
             let room = room(&level, number, room_type, Some(dwelling));
             // Of this seed the hotel is no cheap one, which has none.
-            style_of(&room, &catalog, 1, "hotel_building") == "hotel_accessible"
+            style_of(&room, catalog, 1, "hotel_building") == "hotel_accessible"
         };
         let mut accessible = 0;
         for number in 0..400 {

@@ -143,7 +143,7 @@ fn is_free(environment: &Environment<'_>, whole: &Solid, theirs: &[ClassIndex]) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalog::{Catalog, load_catalog};
+    use crate::catalog::{Catalog, builtin_catalog};
     use crate::layout::tests::{WIDE, level, run};
     use crate::layout::{Furnished, Parent, Placement};
 
@@ -175,7 +175,7 @@ mod tests {
 
     #[test]
     fn a_rug_under_a_dining_table_holds_the_chairs_around_it() {
-        let catalog = load_catalog(&[]).unwrap().value;
+        let catalog = builtin_catalog();
         let under = |id: &str| {
             let class = &catalog.classes[catalog.class_index(id).unwrap()];
             Under::new(class, class.sizes[0])
@@ -201,7 +201,7 @@ mod tests {
 
     #[test]
     fn no_rug_of_the_sofa_lies_under_a_piece_of_the_dining_table() {
-        let catalog = load_catalog(&[]).unwrap().value;
+        let catalog = builtin_catalog();
         let mut level = level(WIDE);
         level.rooms[0].room_type = "living_dining".to_owned();
         let rug = catalog.class_index("rug").unwrap();
@@ -211,7 +211,7 @@ mod tests {
             box_solid(placement.size, &Pose::new(placement.position, 0.0, placement.angle))
         };
         let mut count = 0;
-        for room in (0..20).map(|seed| run(&level, &catalog, seed)) {
+        for room in (0..20).map(|seed| run(&level, catalog, seed)) {
             let at_table = || room.placements.iter().filter(|placement| dines.contains(&placement.class));
             for laid in room.placements.iter().filter(|placement| placement.class == rug) {
                 count += at_table().count();
@@ -229,14 +229,14 @@ mod tests {
 
     #[test]
     fn a_living_room_is_the_same_with_and_without_its_rug_which_lies_under_no_cupboard() {
-        let with = load_catalog(&[]).unwrap().value;
+        let with = builtin_catalog();
         let rug = with.class_index("rug").unwrap();
         let mut without = with.clone();
         let programme = &mut without.room_types.get_mut("living_room").unwrap().programme;
         programme.retain(|request| request.classes != [rug]);
         let is_rug = |placement: &&Placement| placement.class == rug;
         let mut count = 0;
-        for (with_rug, bare) in living_rooms(&with).iter().zip(living_rooms(&without)) {
+        for (with_rug, bare) in living_rooms(with).iter().zip(living_rooms(&without)) {
             let all = &with_rug.placements;
             let others: Vec<_> = all.iter().filter(|placement| !is_rug(placement)).cloned().collect();
             assert_eq!(others.len(), bare.placements.len());
@@ -263,7 +263,7 @@ mod tests {
 
     #[test]
     fn nobody_in_a_wheelchair_gets_a_rug() {
-        let mut catalog = load_catalog(&[]).unwrap().value;
+        let mut catalog = builtin_catalog().clone();
         let rug = catalog.class_index("rug").unwrap();
         catalog.styles.values_mut().for_each(|style| style.access = Access::Wheelchair);
         let rooms = living_rooms(&catalog);

@@ -24,7 +24,7 @@ impl Detail {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalog::{VariantRef, load_catalog};
+    use crate::catalog::{VariantRef, builtin_catalog};
     use crate::model::{Model, ModelLibrary};
     use crate::recipes::GeometrySet;
 
@@ -52,8 +52,8 @@ mod tests {
 
     #[test]
     fn every_class_is_coarser_and_fills_the_same_box() {
-        let catalog = load_catalog(&[]).expect("the built-in configuration is sound").value;
-        let library = ModelLibrary::load(&catalog).unwrap();
+        let catalog = builtin_catalog();
+        let library = ModelLibrary::load(catalog).unwrap();
         let mut sums = [0; Detail::ALL.len()];
         for (index, class) in catalog.classes.iter().enumerate() {
             // The sets take turns: all of them for each class would take a minute without optimization.

@@ -4,8 +4,6 @@
 //! the model's box is the class's box to 1 mm, its normals are unit vectors, its indices are valid, and equal
 //! requests give the same [`std::sync::Arc`].
 
-#[cfg(test)]
-mod agreement;
 mod detail;
 mod library;
 mod reduce;
@@ -19,5 +17,6 @@ pub use detail::Detail;
 pub use library::ModelLibrary;
 pub(crate) use reduce::reduced;
 pub(crate) use stand_in::stand_in;
+pub use stand_in::{distance_outside, prisms_of};
 pub(crate) use swatches::SWATCHES_PER_SIDE;
 pub use swatches::SwatchedModels;

@@ -14,7 +14,7 @@ const REACH: f64 = 0.03;
 /// A stand-in for a model: one solid for each prism of the class's shape, in the material that covers most of what the
 /// model has there.
 pub(crate) fn stand_in(model: &Model, shape: &Shape, size: Size) -> Model {
-    let rules = rules(shape);
+    let rules = prisms_of(shape);
     let mut primitives: Vec<Primitive> = Vec::new();
     for rule in &rules {
         let material = prevailing(model, |point| distance_outside(point, rule, size) <= REACH)
@@ -44,7 +44,7 @@ fn repeat_coordinates(primitive: &mut Primitive) {
 }
 
 /// The parts of a shape, whatever it is.
-pub(super) fn rules(shape: &Shape) -> Vec<PrismRule> {
+pub fn prisms_of(shape: &Shape) -> Vec<PrismRule> {
     let whole = |is_disc| PrismRule {
         is_disc,
         low: [Extent { share: 0.0, offset: 0.0 }; 3],
@@ -67,7 +67,7 @@ fn corners(rule: &PrismRule, size: Size) -> [DVec3; 2] {
 }
 
 /// Metres by which a point of a model stands out of a part of a shape.
-pub(super) fn distance_outside(point: DVec3, rule: &PrismRule, size: Size) -> f64 {
+pub fn distance_outside(point: DVec3, rule: &PrismRule, size: Size) -> f64 {
     let local = DVec3::new(point.x + size.width / 2.0, size.depth / 2.0 - point.z, point.y);
     let [low, high] = corners(rule, size);
     if rule.is_disc {

@@ -70,12 +70,12 @@ impl RoomWords {
 
 #[cfg(test)]
 mod tests {
-    use crate::catalog::load_catalog;
+    use crate::catalog::builtin_catalog;
     use crate::plan::read::real_data::published;
 
     #[test]
     fn each_word_of_the_published_vocabularies_has_a_room_type() {
-        let table = load_catalog(&[]).expect("the built-in catalogue is sound").value.room_words;
+        let table = &builtin_catalog().room_words;
         for (format, least) in [("archilyse", 107), ("imdf", 60), ("osm", 40)] {
             let mut words = published(format);
             assert!(words.len() >= least, "{format}: {}", words.len());

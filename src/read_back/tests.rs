@@ -39,12 +39,12 @@ fn file() -> Value {
         piece("laptop.1", "desk.1", json!([0.5, 0.74, 0.1])), column]})
 }
 
-fn catalog() -> Catalog {
-    crate::catalog::load_catalog(&[]).unwrap().value
+fn catalog() -> &'static Catalog {
+    crate::catalog::builtin_catalog()
 }
 
 fn parse(file: &Value) -> ReadLevel {
-    parse_level(Path::new("a.gltf"), file.to_string().as_bytes(), &catalog()).unwrap()
+    parse_level(Path::new("a.gltf"), file.to_string().as_bytes(), catalog()).unwrap()
 }
 
 /// Whether each room can be judged, and the faults.
@@ -167,7 +167,7 @@ fn loops_and_shared_children_are_rejected() {
     assert!(faults.contains("has two parents"), "{faults}");
     let mut file = self::file();
     file["nodes"][5]["children"] = json!([0]);
-    let message = parse_level(Path::new("a.gltf"), file.to_string().as_bytes(), &catalog()).unwrap_err();
+    let message = parse_level(Path::new("a.gltf"), file.to_string().as_bytes(), catalog()).unwrap_err();
     assert!(message.to_string().contains("has no level"), "{message}");
 }
 
@@ -176,14 +176,14 @@ fn invalid_numbers_are_faults() {
     for matrix in [json!([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1e39, 0, 0, 1]), json!(vec![0; 16])] {
         let mut file = file();
         file["nodes"][4]["matrix"] = matrix;
-        let read = parse_level(Path::new("a.gltf"), file.to_string().as_bytes(), &catalog());
+        let read = parse_level(Path::new("a.gltf"), file.to_string().as_bytes(), catalog());
         assert!(read.is_err() || read.is_ok_and(|read| read.furnished[0].is_none()));
     }
 }
 
 #[test]
 fn files_without_a_level_and_files_cut_off_are_refused() {
-    let refused = |bytes: &[u8]| parse_level(Path::new("a.glb"), bytes, &catalog()).unwrap_err().to_string();
+    let refused = |bytes: &[u8]| parse_level(Path::new("a.glb"), bytes, catalog()).unwrap_err().to_string();
     assert!(
         refused(br#"{"asset": {"version": "2.0"}, "nodes": [{"name": "cube"}]}"#).contains("has no level")
     );
@@ -195,7 +195,7 @@ fn files_without_a_level_and_files_cut_off_are_refused() {
     glb.extend(b"JSON");
     glb.extend(text.as_bytes());
     glb.resize(20 + padded, b' ');
-    assert!(parse_level(Path::new("a.glb"), &glb, &catalog()).is_ok());
+    assert!(parse_level(Path::new("a.glb"), &glb, catalog()).is_ok());
     for length in (0..60).chain([glb.len() / 2, glb.len() - 1]) {
         assert!(!refused(&glb[..length]).is_empty());
     }

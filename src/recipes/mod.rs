@@ -22,8 +22,6 @@ mod mesh;
 mod recipe;
 mod slot;
 mod symbol;
-#[cfg(test)]
-mod tests;
 
 pub(crate) use input::Draft;
 pub use {

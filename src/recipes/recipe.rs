@@ -179,8 +179,21 @@ impl Recipe {
         self.parts(input).finish_reduced(input.size, share)
     }
 
+    /// How far, in metres, its parts are from the six sides of the box before they are fitted into it: what the form of the recipe
+    /// gets wrong.
+    #[must_use]
+    pub fn misfit(&self, input: &RecipeInput) -> f64 {
+        self.parts(input).misfit()
+    }
+
+    /// How many of its parts are too flat for their form and become boxes.
+    #[must_use]
+    pub fn flat_count(&self, input: &RecipeInput) -> usize {
+        self.parts(input).flat_count()
+    }
+
     /// The parts before they are fitted to the box.
-    pub(super) fn parts(&self, input: &RecipeInput) -> Builder {
+    fn parts(&self, input: &RecipeInput) -> Builder {
         let mut builder = Builder::new(self.drawn_size(input.size));
         let draft = self.draft(input);
         let form = self.forms[draft.set() as usize].expect("sets that are served have a form");

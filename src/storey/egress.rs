@@ -121,7 +121,7 @@ mod tests {
             cell("stairs", (0.0, 3.0), (2.0, 7.0)),
             cell("office", (length - 4.0, length), (2.0, 7.0)),
         ];
-        let catalog = crate::catalog::load_catalog(&[]).expect("the built-in catalogue is sound").value;
+        let catalog = crate::catalog::builtin_catalog();
         let typologies: &Typologies = &catalog.typologies;
         let partition = Partition::new(&cells, typologies, 0.1);
         let links = link(&partition, &[], true, &mut building_stream(1, "a", "b"));

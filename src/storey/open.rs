@@ -358,7 +358,7 @@ mod tests {
             streets: vec![],
         };
         let ground = Ground { facade: look_out(&ring, &[], &around), ring, wall: 0.0 };
-        let catalog = crate::catalog::load_catalog(&[]).expect("the built-in catalogue is sound").value;
+        let catalog = crate::catalog::builtin_catalog();
         let leaves_thin_parts = |is_careful: bool| {
             let services = [("stairs", STAIRS), ("storeroom", 10.0), ("toilet", 2.5)];
             let end =

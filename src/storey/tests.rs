@@ -1,14 +1,14 @@
 //! Plans of outlines of every shape and kind: what they promise, and that they are the same whoever asks.
 
-use crate::catalog::load_catalog;
+use crate::catalog::builtin_catalog;
 use crate::geometry::{Point, Polygon, Region, direction};
 use crate::plan::{OpeningKind, OutlineKind};
 
 use super::typology::PlanKind;
 use super::*;
 
-fn typologies() -> Typologies {
-    load_catalog(&[]).expect("the built-in catalogue is sound").value.typologies
+fn typologies() -> &'static Typologies {
+    &builtin_catalog().typologies
 }
 
 fn region(corners: &[(f64, f64)]) -> Region {
@@ -39,7 +39,7 @@ fn site(footprints: Vec<Footprint>) -> Site {
 
 fn plan(site: &Site, index: usize) -> PlannedBuilding {
     let around = Neighbourhood::new(site);
-    plan_building(site, &around, index, &typologies(), &Choices::default()).expect("there is always a plan")
+    plan_building(site, &around, index, typologies(), &Choices::default()).expect("there is always a plan")
 }
 
 /// The planned building of an outline that stands alone.
@@ -461,7 +461,7 @@ fn wings_too_narrow_for_thick_walls_have_thin_ones() {
 fn what_nobody_can_stand_in_is_no_building() {
     let site = site(vec![footprint("strip", rectangle(0.0, 0.0, 9.0, 0.6), 1.0, "shed")]);
     let around = Neighbourhood::new(&site);
-    assert!(plan_building(&site, &around, 0, &typologies(), &Choices::default()).is_none());
+    assert!(plan_building(&site, &around, 0, typologies(), &Choices::default()).is_none());
 }
 
 #[test]
@@ -512,7 +512,7 @@ fn choices_come_before_the_map() {
     let site = site(vec![footprint("one", rectangle(0.0, 0.0, 20.0, 14.0), 2.0, "house")]);
     let around = Neighbourhood::new(&site);
     let choices = Choices { use_name: Some("hotel".to_owned()), storeys: Some(5), ..Choices::default() };
-    let planned = plan_building(&site, &around, 0, &typologies(), &choices).unwrap();
+    let planned = plan_building(&site, &around, 0, typologies(), &choices).unwrap();
     assert_eq!(planned.draft.levels.len(), 5);
     assert_eq!(planned.report.typology, "hotel");
     assert!(!rooms_of(&planned, 0, "hotel_room").is_empty());
@@ -622,18 +622,14 @@ fn rooms_larger_than_rooms_may_be_are_cut_in_halves() {
 fn the_largest_outlines_are_planned_with_fewer_storeys_than_the_map_says() {
     let plant = alone(rectangle(0.0, 0.0, 900.0, 900.0), 200.0, "industrial");
     assert_eq!(plant.report.storeys, 1);
-    let (_, faults) = crate::plan::finish_draft(
-        "plant",
-        &plant.draft,
-        &load_catalog(&[]).expect("the built-in catalogue is sound").value.room_words,
-    );
+    let (_, faults) = crate::plan::finish_draft("plant", &plant.draft, &builtin_catalog().room_words);
     assert!(faults.is_empty(), "{faults}");
 }
 
 /// The block of flats of a site's first footprint, of a kind that always has balconies.
 fn with_balconies(footprints: Vec<Footprint>) -> PlannedBuilding {
     let site = site(footprints);
-    let mut typologies = typologies();
+    let mut typologies = typologies().clone();
     typologies.typologies.values_mut().for_each(|typology| typology.balconies = 1.0);
     plan_building(&site, &Neighbourhood::new(&site), 0, &typologies, &Choices::default()).unwrap()
 }

@@ -1,8 +1,9 @@
-//! Rules that hold for every room of any shape, size, type and style.
+//! Rules that hold for every room of any shape, size, type and style, and for every model of furniture.
 //!
 //! The same rooms are drawn on each run; `PROPTEST_RNG_SEED=n` draws others, `PROPTEST_CASES=n` more.
 #![allow(clippy::unwrap_used, clippy::print_stdout, clippy::disallowed_methods, unreachable_pub)]
 
+mod models;
 mod rooms;
 
 use std::cell::RefCell;

@@ -1,7 +1,8 @@
 //! The configuration that comes with the program.
 
 use crate::catalog::{
-    DEFAULT_STYLE, ParentName, RelationKind, Request, builtin_file, builtin_files, load_catalog,
+    DEFAULT_STYLE, ParentName, RelationKind, Request, builtin_catalog, builtin_file, builtin_files,
+    load_catalog,
 };
 use crate::document::Source;
 use crate::recipes::Slot;
@@ -20,7 +21,7 @@ fn the_builtin_catalogue_loads_without_faults_or_warnings() {
 
 #[test]
 fn every_definition_has_an_origin() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     for ((kind, id), origin) in &catalog.origins {
         let file = origin.file.strip_prefix("configs").unwrap_or_else(|_| panic!("{kind:?} {id}"));
         let text = builtin_file(&file.display().to_string().replace('\\', "/")).unwrap();
@@ -45,7 +46,7 @@ fn every_file_names_its_schema() {
 
 #[test]
 fn a_screen_on_a_stand_is_placed_across_from_a_seat_and_not_from_a_bed() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     for id in ["tv", "wide_tv_stand"] {
         let class = &catalog.classes[catalog.class_index(id).unwrap()];
         let faces = class.relations.iter().find(|relation| relation.kind == RelationKind::Opposite);
@@ -58,7 +59,7 @@ fn a_screen_on_a_stand_is_placed_across_from_a_seat_and_not_from_a_bed() {
 
 /// Whether a room of a type and area asks for a class, and whether it cannot do without.
 fn asks(room_type: &str, class: &str, area: f64) -> (bool, bool) {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     let class = catalog.class_index(class).unwrap();
     let applies =
         |line: &&Request| line.classes.contains(&class) && (line.area.0..=line.area.1).contains(&area);
@@ -76,7 +77,7 @@ fn rooms_below_their_usual_area_ask_for_less_beside_a_bed() {
 
 #[test]
 fn the_largest_main_rooms_of_planned_buildings_have_furniture_on_their_floor() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     for kind in catalog.typologies.typologies.values() {
         let Some(main) = &kind.main else { continue };
         let (room_type, area) = (&catalog.room_types[main], kind.area.1.min(5000.0));

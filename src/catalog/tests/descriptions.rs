@@ -1,7 +1,7 @@
 //! The descriptions of `catalog`.
 
 use super::cases::load_above_base;
-use crate::catalog::{Catalog, DefinitionKind, describe, load_catalog};
+use crate::catalog::{Catalog, DefinitionKind, builtin_catalog, describe};
 
 fn base() -> Catalog {
     let (mut catalog, _) = load_above_base(&[]).unwrap();
@@ -122,17 +122,17 @@ fn an_unknown_id_is_a_fault_with_a_hint() {
 
 #[test]
 fn everything_that_is_built_in_can_be_shown() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     for (kind, id) in catalog.origins.keys() {
         let is_abstract = match kind {
             DefinitionKind::Class => catalog.class_index(id).is_none(),
             DefinitionKind::RoomType => !catalog.room_types.contains_key(id),
             DefinitionKind::Style | DefinitionKind::BuildingStyle | DefinitionKind::Palette => false,
         };
-        assert_eq!(describe(&catalog, Some(*kind), Some(id)).is_err(), is_abstract, "{kind:?} {id}");
+        assert_eq!(describe(catalog, Some(*kind), Some(id)).is_err(), is_abstract, "{kind:?} {id}");
     }
     for kind in DefinitionKind::ALL {
-        let list = describe(&catalog, Some(kind), None).unwrap();
+        let list = describe(catalog, Some(kind), None).unwrap();
         assert!(list.text.lines().count() > 1 && !list.value.is_null());
     }
 }

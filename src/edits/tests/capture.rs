@@ -79,8 +79,8 @@ fn before() -> Survey {
 }
 
 fn captured(after: &Survey) -> Captured {
-    let catalog = crate::catalog::load_catalog(&[]).unwrap().value;
-    capture(&before(), after, &catalog, Path::new("edited.glb")).unwrap()
+    let catalog = crate::catalog::builtin_catalog();
+    capture(&before(), after, catalog, Path::new("edited.glb")).unwrap()
 }
 
 /// The lines about objects, without the rooms; then the notes.
@@ -173,9 +173,9 @@ fn the_place_of_an_object_with_moved_vertices_is_reported_and_not_captured() {
     before.objects[2].bounds = Some([[-0.2, 0.0, -0.2], [0.2, 0.5, 0.2]]);
     let mut after = before.clone();
     after.objects[2].place.as_mut().unwrap().position.x = 0.0;
-    let catalog = crate::catalog::load_catalog(&[]).unwrap().value;
+    let catalog = crate::catalog::builtin_catalog();
     let told = |after: &Survey| {
-        let Captured { entries, notes } = capture(&before, after, &catalog, Path::new("edited.glb")).unwrap();
+        let Captured { entries, notes } = capture(&before, after, catalog, Path::new("edited.glb")).unwrap();
         (entries.len(), notes.0.len())
     };
     assert_eq!(told(&after), (1, 0));
@@ -202,8 +202,8 @@ fn an_object_moved_to_another_room_is_removed_and_added() {
 #[test]
 fn files_of_two_levels_are_not_compared() {
     let other = Survey { level: "1".to_owned(), ..before() };
-    let catalog = crate::catalog::load_catalog(&[]).unwrap().value;
-    let fault = capture(&before(), &other, &catalog, Path::new("edited.glb")).unwrap_err();
+    let catalog = crate::catalog::builtin_catalog();
+    let fault = capture(&before(), &other, catalog, Path::new("edited.glb")).unwrap_err();
     assert!(fault.message.contains("is house/1, but the level before is house/0"), "{fault}");
 }
 

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::PathBuf;
 
-use crate::catalog::{Catalog, load_catalog};
+use crate::catalog::{Catalog, builtin_catalog};
 use crate::document::Faults;
 use crate::edits::{EditBook, edits_path, read_edits};
 use crate::plan::{Plan, PlanOptions, read_plans};
@@ -14,7 +14,7 @@ const PLAN: &str = "version: 1\nlevels:\n  - id: \"1\"\n    height: 3\n    rooms
 
 struct World {
     folder: tempfile::TempDir,
-    catalog: Catalog,
+    catalog: &'static Catalog,
 }
 
 impl World {
@@ -23,7 +23,7 @@ impl World {
         for (name, text) in files {
             fs::write(folder.path().join(name), text).unwrap();
         }
-        Self { folder, catalog: load_catalog(&[]).unwrap().value }
+        Self { folder, catalog: builtin_catalog() }
     }
 
     fn plan(&self, name: &str) -> Plan {
@@ -35,7 +35,7 @@ impl World {
 
     fn read(&self, plan: &str, named: &[&str]) -> (EditBook, Faults) {
         let named: Vec<PathBuf> = named.iter().map(|name| self.folder.path().join(name)).collect();
-        read_edits(&self.plan(plan), &named, &self.catalog)
+        read_edits(&self.plan(plan), &named, self.catalog)
     }
 }
 

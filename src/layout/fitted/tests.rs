@@ -1,6 +1,6 @@
 //! Kitchens of the catalogue in rooms made by hand, each with several seeds.
 
-use crate::catalog::{Catalog, FittedPart, Side, load_catalog};
+use crate::catalog::{Catalog, FittedPart, Side, builtin_catalog};
 use crate::geometry::{Point, Solid};
 use crate::layout::tests::{level, run};
 use crate::layout::{FurnishOptions, Furnished, Lock, LockSupport, Parent, Placement, furnish, solids};
@@ -62,12 +62,12 @@ fn apart(units: &[(FittedPart, Solid)], a: FittedPart, b: FittedPart) -> Option<
 
 #[test]
 fn a_kitchen_is_one_row_with_worktop_between_sink_and_hob() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     for (width, depth) in [(2.6, 3.4), (3.0, 3.0), (2.4, 4.4), (4.0, 4.5)] {
         let level = room("kitchen", width, depth);
         for seed in SEEDS {
-            let furnished = run(&level, &catalog, seed);
-            let units = units(&catalog, &furnished);
+            let furnished = run(&level, catalog, seed);
+            let units = units(catalog, &furnished);
             let place = format!("{width} x {depth} m, seed {seed}");
             assert!(runs(&units) <= 2, "{place}: {} runs", runs(&units));
             let between = apart(&units, FittedPart::Sink, FittedPart::Hob).expect(&place);
@@ -83,23 +83,23 @@ fn a_kitchen_is_one_row_with_worktop_between_sink_and_hob() {
 
 #[test]
 fn a_row_turns_at_a_corner_where_one_wall_is_too_short() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     let level = room("kitchen", 2.5, 2.6);
     let turns = |seed: &u64| {
-        let furnished = run(&level, &catalog, *seed);
-        units(&catalog, &furnished).iter().any(|(part, _)| *part == FittedPart::Corner)
+        let furnished = run(&level, catalog, *seed);
+        units(catalog, &furnished).iter().any(|(part, _)| *part == FittedPart::Corner)
     };
     assert!(SEEDS.filter(turns).count() > 0);
 }
 
 #[test]
 fn a_kitchen_turns_at_one_corner_or_at_two_by_the_seed() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     let mut level = room("kitchen", 2.2, 4.4);
     // A third leg is no gain here: what it holds is lost by windows and heating.
     level.rooms[0].walls.iter_mut().for_each(|wall| wall.is_exterior = true);
     let corners = |seed: u64| {
-        let units = units(&catalog, &run(&level, &catalog, seed));
+        let units = units(catalog, &run(&level, catalog, seed));
         units.iter().filter(|(part, _)| *part == FittedPart::Corner).count()
     };
     let corners: Vec<usize> = (0..24).map(corners).collect();
@@ -121,12 +121,12 @@ fn is_lost(metres: &f64) -> bool {
 
 #[test]
 fn a_row_reaches_the_walls_at_its_ends() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     for width in [2.33, 2.47, 2.58, 2.71, 3.04] {
         let level = room("kitchen", width, 3.6);
         let mut fillers = 0;
         for seed in SEEDS {
-            let units = units(&catalog, &run(&level, &catalog, seed));
+            let units = units(catalog, &run(&level, catalog, seed));
             let gaps = gaps_at_third_wall(&units, width, 3.6);
             assert!(!gaps.iter().any(is_lost), "{width} m, seed {seed}: {gaps:?}");
             fillers += units.iter().filter(|(part, _)| *part == FittedPart::Filler).count();
@@ -137,14 +137,14 @@ fn a_row_reaches_the_walls_at_its_ends() {
 
 #[test]
 fn a_row_reaches_the_wall_that_an_open_side_begins_at() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     let (width, depth) = (3.1, 3.2);
     let mut level = room("kitchen", width, depth);
     // Less deep than the units are.
     open_to_end(&mut level, OpeningKind::OpenBoundary, (3, 0.5), [0.0, 2.5]);
     let mut rows = 0;
     for seed in SEEDS {
-        let units = units(&catalog, &run(&level, &catalog, seed));
+        let units = units(catalog, &run(&level, catalog, seed));
         // A bar leaves the floor before the open side free, and its corner, too.
         let is_bar = |solid: &Solid| solid.bounds.low.x < 0.5 && solid.bounds.low.y < depth - 0.7;
         if units.iter().any(|(_, solid)| is_bar(solid)) {
@@ -187,12 +187,12 @@ fn open_to_end(level: &mut Level, kind: OpeningKind, (wall, from): (usize, f64),
 
 #[test]
 fn a_kitchen_that_opens_to_a_room_has_a_bar_there_with_an_aisle_before_it() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     let depth = 3.0;
     let level = open_kitchen(3.0, depth);
     let mut bars = 0;
     for seed in SEEDS {
-        let units = units(&catalog, &run(&level, &catalog, seed));
+        let units = units(catalog, &run(&level, catalog, seed));
         let is_bar = |solid: &Solid| solid.bounds.low.y > depth / 2.0 && solid.bounds.high.x > 0.7;
         let bar: Vec<_> = units.iter().filter(|(_, solid)| is_bar(solid)).collect();
         bars += usize::from(bar.len() > 1);
@@ -211,10 +211,10 @@ fn a_kitchen_that_opens_to_a_room_has_a_bar_there_with_an_aisle_before_it() {
 
 #[test]
 fn a_small_kitchen_has_room_to_cook() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     let level = room("kitchen", 1.6, 1.8);
     for seed in SEEDS {
-        let units = units(&catalog, &run(&level, &catalog, seed));
+        let units = units(catalog, &run(&level, catalog, seed));
         let hobs = units.iter().filter(|(part, _)| *part == FittedPart::Hob).count();
         assert_eq!((hobs, runs(&units)), (1, 1), "seed {seed}");
     }
@@ -222,10 +222,10 @@ fn a_small_kitchen_has_room_to_cook() {
 
 #[test]
 fn wall_units_hang_in_one_line_beside_the_hood() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     let level = room("kitchen", 3.6, 3.2);
     for seed in SEEDS {
-        let furnished = run(&level, &catalog, seed);
+        let furnished = run(&level, catalog, seed);
         let of = |id: &str| {
             let class = catalog.class_index(id).unwrap();
             let is_of_class = move |placement: &&Placement| placement.class == class;
@@ -240,11 +240,11 @@ fn wall_units_hang_in_one_line_beside_the_hood() {
 
 #[test]
 fn nothing_of_a_row_takes_the_light_of_a_window() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     let mut level = room("kitchen", 3.0, 4.0);
     open_to_end(&mut level, OpeningKind::Window, (1, 0.0), [0.5, 2.2]);
     for seed in SEEDS {
-        let furnished = run(&level, &catalog, seed);
+        let furnished = run(&level, catalog, seed);
         let glass = level.rooms[0].walls[1].start.x;
         for placement in furnished.placements.iter().filter(|placement| placement.size.height > 1.5) {
             let class = &catalog.classes[placement.class];
@@ -256,9 +256,9 @@ fn nothing_of_a_row_takes_the_light_of_a_window() {
 
 #[test]
 fn what_is_locked_stays_and_the_row_is_made_of_the_others() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     let level = room("kitchen", 3.4, 3.4);
-    let free = run(&level, &catalog, 1);
+    let free = run(&level, catalog, 1);
     let fridge = catalog.class_index("fridge").unwrap();
     let standing = free.placements.iter().find(|placement| placement.class == fridge).unwrap();
     let lock = Lock {
@@ -273,21 +273,21 @@ fn what_is_locked_stays_and_the_row_is_made_of_the_others() {
     };
     let locks = [lock];
     let options = FurnishOptions { locks: &locks, ..FurnishOptions::new(1, "test") };
-    let furnished = furnish(level.room(0), &catalog, &options);
+    let furnished = furnish(level.room(0), catalog, &options);
     let locked = furnished.placements.iter().find(|placement| placement.class == fridge).unwrap();
     assert_eq!(locked.position, locks[0].position);
     let others: Vec<_> =
-        units(&catalog, &furnished).into_iter().filter(|(part, _)| *part != FittedPart::Tall).collect();
+        units(catalog, &furnished).into_iter().filter(|(part, _)| *part != FittedPart::Tall).collect();
     assert!(runs(&others) <= 2, "{}", runs(&others));
 }
 
 #[test]
 fn a_row_is_slim_as_a_whole_where_the_usual_units_leave_too_little_space() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     for (width, is_slim) in [(1.55, true), (2.6, false)] {
         let level = room("kitchen", width, 3.6);
         for seed in SEEDS {
-            let furnished = run(&level, &catalog, seed);
+            let furnished = run(&level, catalog, seed);
             let part = |placement: &&Placement| catalog.classes[placement.class].fitted;
             let is_low =
                 |placement: &&Placement| part(placement).is_some_and(|part| part != FittedPart::WallUnit);
@@ -305,7 +305,7 @@ fn a_row_is_slim_as_a_whole_where_the_usual_units_leave_too_little_space() {
 fn wall_units_hang_where_their_wall_is() {
     // The row at the wall before the slot goes on past it, up to what closes it; the slot is as deep as a wall unit.
     let slot = [(2.03, 0.0), (2.03, 2.22), (-2.2, 2.22), (-2.2, 1.9), (0.0, 1.9), (0.0, 0.0)];
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     let mut hanging = 0;
     for start in 0..slot.len() {
         let mut corners = slot;
@@ -313,7 +313,7 @@ fn wall_units_hang_where_their_wall_is() {
         let mut level = level(&corners);
         level.rooms[0].room_type = "kitchen".to_owned();
         for seed in SEEDS {
-            for placement in run(&level, &catalog, seed).placements {
+            for placement in run(&level, catalog, seed).placements {
                 let is_wall_unit = catalog.classes[placement.class].fitted == Some(FittedPart::WallUnit);
                 let Parent::Wall(wall) = placement.parent else { continue };
                 if is_wall_unit {

@@ -1,6 +1,6 @@
 //! Bathrooms of the catalogue in rooms made by hand, each with several seeds.
 
-use crate::catalog::{Catalog, Side, load_catalog};
+use crate::catalog::{Catalog, Side, builtin_catalog};
 use crate::geometry::{Point, Solid, direction};
 use crate::layout::tests::{level, run};
 use crate::layout::{
@@ -29,11 +29,11 @@ fn placement<'f>(catalog: &Catalog, furnished: &'f Furnished, group: &str) -> Op
 
 #[test]
 fn toilet_and_basin_stand_side_by_side_at_the_wall_with_pipes() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     for seed in SEEDS {
-        let furnished = run(&bathroom(3.3, 2.0, &[2]), &catalog, seed);
+        let furnished = run(&bathroom(3.3, 2.0, &[2]), catalog, seed);
         for group in ["wc", "washing"] {
-            let fixture = placement(&catalog, &furnished, group).unwrap();
+            let fixture = placement(catalog, &furnished, group).unwrap();
             assert_eq!(fixture.parent, Parent::Wall(2), "{group}, seed {seed}");
         }
     }
@@ -41,11 +41,11 @@ fn toilet_and_basin_stand_side_by_side_at_the_wall_with_pipes() {
 
 #[test]
 fn nothing_of_a_bathroom_stands_at_the_wall_of_its_door_where_others_are_free() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     for seed in SEEDS {
-        let furnished = run(&bathroom(3.2, 2.4, &[]), &catalog, seed);
+        let furnished = run(&bathroom(3.2, 2.4, &[]), catalog, seed);
         for group in ["wc", "washing"] {
-            let fixture = placement(&catalog, &furnished, group).unwrap();
+            let fixture = placement(catalog, &furnished, group).unwrap();
             assert_ne!(fixture.parent, Parent::Wall(0), "{group}, seed {seed}");
         }
     }
@@ -53,12 +53,12 @@ fn nothing_of_a_bathroom_stands_at_the_wall_of_its_door_where_others_are_free() 
 
 #[test]
 fn all_fixtures_of_a_small_bathroom_find_a_place_with_the_space_that_they_need() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     for seed in SEEDS {
         let level = bathroom(1.8, 2.3, &[3]);
-        let furnished = run(&level, &catalog, seed);
+        let furnished = run(&level, catalog, seed);
         let fixtures =
-            ["wc", "washing", "bathing"].map(|group| placement(&catalog, &furnished, group).unwrap());
+            ["wc", "washing", "bathing"].map(|group| placement(catalog, &furnished, group).unwrap());
         for fixture in fixtures {
             for (_, region) in clearance_solids(&catalog.classes[fixture.class], fixture, false) {
                 assert!(is_inside(&level, &region), "seed {seed}: {}", catalog.classes[fixture.class].id);
@@ -76,11 +76,11 @@ fn is_inside(level: &Level, region: &Solid) -> bool {
 
 #[test]
 fn what_is_locked_stays_and_the_others_go_round_it() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     let level = bathroom(2.6, 2.6, &[2]);
     let toilet = catalog.class_index("toilet").unwrap();
-    let free = run(&level, &catalog, 1);
-    let stands = placement(&catalog, &free, "wc").unwrap();
+    let free = run(&level, catalog, 1);
+    let stands = placement(catalog, &free, "wc").unwrap();
     let lock = Lock {
         class: toilet,
         number: 1,
@@ -93,20 +93,20 @@ fn what_is_locked_stays_and_the_others_go_round_it() {
     };
     let locks = [lock.clone()];
     let options = FurnishOptions { locks: &locks, ..FurnishOptions::new(1, "test") };
-    let furnished = furnish(level.room(0), &catalog, &options);
-    let kept = placement(&catalog, &furnished, "wc").unwrap();
+    let furnished = furnish(level.room(0), catalog, &options);
+    let kept = placement(catalog, &furnished, "wc").unwrap();
     assert_eq!(kept.position, lock.position);
-    assert!(placement(&catalog, &furnished, "washing").is_some());
+    assert!(placement(catalog, &furnished, "washing").is_some());
 }
 
 #[test]
 fn where_a_long_bowl_leaves_too_little_space_a_short_one_stands() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     for seed in SEEDS {
         // Deep enough along the pipes for a bowl of 0.48 m, not for the usual ones.
         let level = bathroom(1.26, 2.6, &[1, 3]);
-        let furnished = run(&level, &catalog, seed);
-        let toilet = placement(&catalog, &furnished, "wc").unwrap();
+        let furnished = run(&level, catalog, seed);
+        let toilet = placement(catalog, &furnished, "wc").unwrap();
         for (_, region) in clearance_solids(&catalog.classes[toilet.class], toilet, true) {
             assert!(is_inside(&level, &region), "seed {seed}");
         }
@@ -126,13 +126,13 @@ fn gaps_beside(level: &Level, piece: &Placement) -> [f64; 2] {
 
 #[test]
 fn what_bathes_stands_in_a_corner_and_fills_the_short_side_of_a_narrow_bathroom() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     let mut filled = 0;
     for seed in SEEDS {
         // The usual tubs leave 0.2 m or more of the short side.
         let level = bathroom(1.9, 3.4, &[1]);
-        let furnished = run(&level, &catalog, seed);
-        let bath = placement(&catalog, &furnished, "bathing").unwrap();
+        let furnished = run(&level, catalog, seed);
+        let bath = placement(catalog, &furnished, "bathing").unwrap();
         let [corner, rest] = gaps_beside(&level, bath);
         assert!(corner < 0.04, "seed {seed}: {corner} m from a corner");
         filled += u32::from(rest < 0.111);
@@ -142,16 +142,16 @@ fn what_bathes_stands_in_a_corner_and_fills_the_short_side_of_a_narrow_bathroom(
 
 #[test]
 fn a_shower_fills_a_niche_and_leaves_the_others_their_places() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     let mut filled = 0;
     for seed in SEEDS {
         // The usual trays leave 0.35 m or more of the short side.
         let level = bathroom(1.25, 3.9, &[3]);
-        let furnished = run(&level, &catalog, seed);
-        let [_, rest] = gaps_beside(&level, placement(&catalog, &furnished, "bathing").unwrap());
+        let furnished = run(&level, catalog, seed);
+        let [_, rest] = gaps_beside(&level, placement(catalog, &furnished, "bathing").unwrap());
         filled += u32::from(rest < 0.111);
         for group in ["wc", "washing"] {
-            assert!(placement(&catalog, &furnished, group).is_some(), "{group}, seed {seed}");
+            assert!(placement(catalog, &furnished, group).is_some(), "{group}, seed {seed}");
         }
     }
     assert!(filled >= 9, "{filled} of 12 fill the niche");
@@ -169,7 +169,7 @@ fn leaning_bathroom() -> Level {
 
 #[test]
 fn where_no_corner_has_room_for_a_tray_a_tub_that_fits_one_stands_in_for_it() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     // What stands with both sides open in the best of some alternatives.
     let open_sides = |may_stand_in: bool, seed: u64| {
         let mut catalog = catalog.clone();
@@ -194,7 +194,7 @@ fn where_no_corner_has_room_for_a_tray_a_tub_that_fits_one_stands_in_for_it() {
 
 /// The catalogue with bathrooms that ask for one class of what bathes, for which others may stand in.
 fn with_bathing(class: &str, substitutes: &[&str]) -> Catalog {
-    let mut catalog = load_catalog(&[]).unwrap().value;
+    let mut catalog = builtin_catalog().clone();
     let index = |id: &str| catalog.class_index(id).unwrap();
     let (class, substitutes) = (index(class), substitutes.iter().map(|id| index(id)).collect::<Vec<_>>());
     let bathes = |class: usize| catalog.classes[class].groups.iter().any(|group| group == "bathing");
@@ -238,12 +238,12 @@ fn of_arrangements_that_are_nearly_as_good_each_has_seeds_that_choose_it() {
 
 #[test]
 fn a_bed_for_one_has_a_long_side_at_a_wall() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     let mut level = bathroom(3.4, 3.6, &[]);
     level.rooms[0].room_type = "childrens_room".to_owned();
     for seed in SEEDS {
-        let furnished = run(&level, &catalog, seed);
-        let bed = placement(&catalog, &furnished, "sleeping").unwrap();
+        let furnished = run(&level, catalog, seed);
+        let bed = placement(catalog, &furnished, "sleeping").unwrap();
         assert!(gaps_beside(&level, bed)[0] < 0.04, "seed {seed}");
     }
 }

@@ -3,14 +3,14 @@
 use std::path::PathBuf;
 
 use super::*;
-use crate::catalog::load_catalog;
+use crate::catalog::builtin_catalog;
 use crate::growth::growth;
 use crate::plan::read::real_data::{drafts, folder};
 use crate::plan::sample::{at, level, neighbours, opening, points, rectangle};
 use crate::plan::{OpeningDraft, OpeningKind, RoomDraft, assemble_level};
 
-fn words() -> RoomWords {
-    load_catalog(&[]).expect("the built-in catalogue is sound").value.room_words
+fn words() -> &'static RoomWords {
+    &builtin_catalog().room_words
 }
 
 fn stranger(id: &str, place: (f64, f64), size: (f64, f64)) -> RoomDraft {
@@ -23,7 +23,7 @@ fn read(rooms: Vec<RoomDraft>, openings: Vec<OpeningDraft>, building: Option<&st
     let (level, _) = assemble_level(draft.clone());
     let (words, stack) = (words(), Stack::default());
     let (_, problems) =
-        Guessing { words: &words, family: building, stack, told: &mut 0 }.guess(&mut draft, 0, &level);
+        Guessing { words, family: building, stack, told: &mut 0 }.guess(&mut draft, 0, &level);
     let last = draft.rooms.last().expect("a room");
     (last.room_type.clone(), problems.last().map(|problem| problem.message.clone()).unwrap_or_default())
 }
@@ -127,7 +127,7 @@ fn a_room_with_a_railing_is_read_as_open_air() {
         draft.railings = vec![points(&[(0.0, -2.15), (4.0, -2.15), (4.0, -2.05), (0.0, -2.05)])];
         let (level, _) = assemble_level(draft.clone());
         let (words, stack) = (words(), Stack::default());
-        Guessing { words: &words, family: building, stack, told: &mut 0 }.guess(&mut draft, 0, &level);
+        Guessing { words, family: building, stack, told: &mut 0 }.guess(&mut draft, 0, &level);
         assert_eq!(draft.rooms[1].room_type, kind);
     }
 }
@@ -140,13 +140,13 @@ fn the_kind_of_a_building_is_that_of_most_known_rooms() {
         levels: vec![LevelDraft { rooms: rooms.to_vec(), ..LevelDraft::default() }],
         ..BuildingDraft::default()
     };
-    assert_eq!(family_of(&building(&rooms), &words()), Some("school"));
+    assert_eq!(family_of(&building(&rooms), words()), Some("school"));
     rooms.iter_mut().for_each(|room| room.unknown_word = Some("Zxq".to_owned()));
-    assert_eq!(family_of(&building(&rooms), &words()), None);
+    assert_eq!(family_of(&building(&rooms), words()), None);
     let usual = BuildingDraft { usual_family: Some("home"), ..building(&rooms) };
-    assert_eq!(family_of(&usual, &words()), Some("home"), "nothing says otherwise");
+    assert_eq!(family_of(&usual, words()), Some("home"), "nothing says otherwise");
     rooms[0].fixtures = ["kitchen".to_owned()].into();
-    assert_eq!(family_of(&building(&rooms), &words()), Some("home"), "a kitchen is drawn");
+    assert_eq!(family_of(&building(&rooms), words()), Some("home"), "a kitchen is drawn");
 }
 
 /// A building of levels with rooms of these types, in a row, and how the last room of the first level is read.
@@ -155,7 +155,7 @@ fn read_in_tower(levels: Vec<Vec<RoomDraft>>) -> (String, String) {
     let draft = BuildingDraft { levels, ..BuildingDraft::default() };
     let words = words();
     let mut told = 0;
-    let mut guessing = Guessing::of(&draft, &words, &mut told).expect("a word is unknown");
+    let mut guessing = Guessing::of(&draft, words, &mut told).expect("a word is unknown");
     let mut first = draft.levels[0].clone();
     let (_, problems) = guessing.guess(&mut first, 0, &assemble_level(draft.levels[0].clone()).0);
     (first.rooms.last().expect("a room").room_type.clone(), problems[0].message.clone())
@@ -225,7 +225,7 @@ fn thousands_of_guesses_are_counted_instead_of_listed() {
     let draft = BuildingDraft { levels: vec![row(0.0), row(5.0)], ..BuildingDraft::default() };
     let words = words();
     let mut told = 0;
-    let mut guessing = Guessing::of(&draft, &words, &mut told).expect("a word is unknown");
+    let mut guessing = Guessing::of(&draft, words, &mut told).expect("a word is unknown");
     let guesses: Vec<(usize, Vec<Problem>)> = (draft.levels.iter().enumerate())
         .map(|(place, level)| guessing.guess(&mut level.clone(), place, &assemble_level(level.clone()).0))
         .collect();
@@ -248,7 +248,7 @@ fn all_buildings_of_an_input_share_the_list_of_guesses() {
         .map(|_| {
             let mut draft = house.levels[0].clone();
             let assembled = assemble_level(draft.clone()).0;
-            let mut guessing = Guessing::of(&house, &words, &mut told).expect("a word is unknown");
+            let mut guessing = Guessing::of(&house, words, &mut told).expect("a word is unknown");
             guessing.guess(&mut draft, 0, &assembled).1[0].message.clone()
         })
         .collect();
@@ -274,7 +274,7 @@ fn time_to_guess_grows_with_the_number_of_rooms() {
     };
     let guess = |(draft, assembled): (BuildingDraft, Level)| {
         let mut told = 0;
-        let mut guessing = Guessing::of(&draft, &words, &mut told).expect("words are unknown");
+        let mut guessing = Guessing::of(&draft, words, &mut told).expect("words are unknown");
         guessing.guess(&mut draft.levels[0].clone(), 0, &assembled);
     };
     let power = growth(200, 8, 1.3, tower, guess);
@@ -284,7 +284,7 @@ fn time_to_guess_grows_with_the_number_of_rooms() {
 #[test]
 fn a_building_whose_words_are_known_has_nothing_to_guess() {
     let draft = BuildingDraft { levels: vec![level(neighbours(), Vec::new())], ..BuildingDraft::default() };
-    assert!(Guessing::of(&draft, &words(), &mut 0).is_none());
+    assert!(Guessing::of(&draft, words(), &mut 0).is_none());
 }
 
 /// The use of rooms of a type: guesses need not distinguish an office from a meeting room.
@@ -333,7 +333,7 @@ fn guessed_uses(draft: &BuildingDraft, words: &RoomWords, step: usize) -> (usize
 fn guessed_share(paths: &[PathBuf], step: usize) -> f64 {
     let words = words();
     let drafts = paths.iter().flat_map(|path| {
-        let mut known = drafts(path, &words);
+        let mut known = drafts(path, words);
         let blind = drafts(path, &RoomWords { guesses: words.guesses.clone(), ..RoomWords::default() });
         let rooms = known.iter_mut().flat_map(|draft| &mut draft.levels).flat_map(|level| &mut level.rooms);
         let blind = blind.iter().flat_map(|draft| &draft.levels).flat_map(|level| &level.rooms);
@@ -341,7 +341,7 @@ fn guessed_share(paths: &[PathBuf], step: usize) -> f64 {
         rooms.zip(blind).for_each(|(room, blind)| room.fixtures.clone_from(&blind.fixtures));
         known
     });
-    let counts = drafts.map(|draft| guessed_uses(&draft, &words, step));
+    let counts = drafts.map(|draft| guessed_uses(&draft, words, step));
     let (right, all) = counts.fold((0, 0), |sum, next| (sum.0 + next.0, sum.1 + next.1));
     println!("{}, words of one room in {step} hidden: {right} of {all} rooms", paths[0].display());
     100.0 * right as f64 / all as f64

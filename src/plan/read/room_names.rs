@@ -103,7 +103,7 @@ fn without_number(word: &str) -> Option<&str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalog::load_catalog;
+    use crate::catalog::builtin_catalog;
     use crate::plan::read::real_data::published;
 
     #[test]
@@ -136,13 +136,13 @@ mod tests {
 
     #[test]
     fn of_several_names_the_most_telling_known_one_decides() {
-        let table = load_catalog(&[]).expect("the built-in catalogue is sound").value.room_words;
-        let mut typed = TypedNames::new(&table, "ifc");
+        let table = &builtin_catalog().room_words;
+        let mut typed = TypedNames::new(table, "ifc");
         let mut kind = |names: &[Option<&str>]| typed.of_names(names, || ()).room_type;
         assert_eq!(kind(&[Some("Wing A"), Some("Kitchen")]), "kitchen");
         assert_eq!(kind(&[Some("Kitchen"), Some("Space 3")]), "kitchen");
         assert_eq!(kind(&[None, Some("Kitchen")]), "kitchen");
-        let mut unknown = TypedNames::new(&table, "ifc");
+        let mut unknown = TypedNames::new(table, "ifc");
         unknown.of_names(&[None, Some("Zorp 1"), Some("Quux")], || ());
         let told: Vec<String> = unknown.unknown().map(|(_, fact, _)| fact).collect();
         assert!(told.len() == 1 && told[0].contains("zorp"), "{told:?}");
@@ -150,7 +150,7 @@ mod tests {
 
     #[test]
     fn names_of_homes_and_offices_are_known_in_many_languages() {
-        let table = load_catalog(&[]).expect("the built-in catalogue is sound").value.room_words;
+        let table = &builtin_catalog().room_words;
         let cases = [
             ("Прихожая", "corridor"),
             ("С/У", "bathroom"),
@@ -175,14 +175,14 @@ mod tests {
             ("Living space", "living_room"),
         ];
         for (name, kind) in cases {
-            assert_eq!(type_of_words(&table, &["ifc"], &plain_words(name)), Some(kind), "{name}");
+            assert_eq!(type_of_words(table, &["ifc"], &plain_words(name)), Some(kind), "{name}");
         }
     }
 
     #[test]
     fn each_published_function_of_rooms_is_more_than_a_room() {
-        let table = load_catalog(&[]).expect("the built-in catalogue is sound").value.room_words;
-        let type_of = |word: &str| type_of_words(&table, &["ifc"], &plain_words(word));
+        let table = &builtin_catalog().room_words;
+        let type_of = |word: &str| type_of_words(table, &["ifc"], &plain_words(word));
         for vocabulary in ["omniclass", "din_277"] {
             let mut words = published(vocabulary);
             assert!(words.len() > 100, "{vocabulary}");

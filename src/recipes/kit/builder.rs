@@ -145,13 +145,11 @@ impl Builder {
     }
 
     /// How many parts, as built, are too flat to be written as they are.
-    #[cfg(test)]
     pub(crate) fn flat_count(&self) -> usize {
         self.parts.iter().filter(|part| mended(part.solid.clone()).as_ref() != Some(&part.solid)).count()
     }
 
     /// How far the parts, as built, are from touching the six sides of the box, in metres.
-    #[cfg(test)]
     pub(crate) fn misfit(&self) -> f64 {
         let start = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         let bounds = self.parts.iter().map(|part| part.solid.bounds());

@@ -3,33 +3,30 @@
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::sync::LazyLock;
 
 use zip::write::{SimpleFileOptions, ZipWriter};
 
 use super::FORMAT;
-use crate::catalog::load_catalog;
+use crate::catalog::builtin_catalog;
 use crate::document::Faults;
 use crate::geometry::Point;
 use crate::plan::read::finish::finish_draft;
 use crate::plan::read::reader::ReadBuildings;
-use crate::plan::{Building, Level, Opening, OpeningKind, PlanOptions, RoomWords};
+use crate::plan::{Building, Level, Opening, OpeningKind, PlanOptions};
 
 fn homes() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/sweet_home")
 }
 
-static WORDS: LazyLock<RoomWords> = LazyLock::new(|| load_catalog(&[]).unwrap().value.room_words);
-
 fn try_read(path: &Path) -> Result<ReadBuildings, Faults> {
-    (FORMAT.read)(path, &PlanOptions::new(&WORDS))
+    (FORMAT.read)(path, &PlanOptions::new(&builtin_catalog().room_words))
 }
 
 /// A home with all faults, those of the assembly too.
 fn read(path: &Path) -> (Building, Vec<String>) {
     let ReadBuildings { buildings, mut faults, .. } = try_read(path).unwrap();
     let [drafted] = &buildings[..] else { panic!("{} buildings", buildings.len()) };
-    let (building, found) = finish_draft(&drafted.id, &drafted.draft, &WORDS);
+    let (building, found) = finish_draft(&drafted.id, &drafted.draft, &builtin_catalog().room_words);
     faults.merge(found);
     (building, faults.0.into_iter().map(|fault| fault.message).collect())
 }

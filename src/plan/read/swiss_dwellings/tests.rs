@@ -7,7 +7,7 @@ use serde_json::Value;
 use tempfile::TempDir;
 
 use super::{FORMAT, furniture, read};
-use crate::catalog::load_catalog;
+use crate::catalog::builtin_catalog;
 use crate::edits::keep_drawn;
 use crate::plan::read::reader::ReadBuildings;
 use crate::plan::read::real_data::{assert_comes_back, folder, words};
@@ -152,7 +152,7 @@ fn the_table_gives_the_same_levels_as_its_native_plan() {
 
 #[test]
 fn kitchens_and_baths_are_kept_at_their_walls() {
-    let catalog = load_catalog(&[]).unwrap().value;
+    let catalog = builtin_catalog();
     let options = PlanOptions::new(&catalog.room_words);
     let pieces = furniture(Path::new(TABLE), &options).unwrap();
     let keeping = PlanOptions { keeps_furniture: true, ..options };
@@ -160,7 +160,7 @@ fn kitchens_and_baths_are_kept_at_their_walls() {
     assert_eq!(read_with_rooms.as_ref(), Some(&pieces), "the table is not read once more");
     let PlanReading { plan, .. } = read_plans(&[PathBuf::from(TABLE)], &options);
     let placed = plan.buildings.iter().find(|placed| placed.id == "building_21").unwrap();
-    let kept = keep_drawn(&pieces, placed, &catalog);
+    let kept = keep_drawn(&pieces, placed, catalog);
     let objects: Vec<String> = kept.file.edits.iter().flat_map(|room| room.objects.keys().cloned()).collect();
     for class in ["sink_unit.1", "cooker.1", "worktop.1", "toilet.1", "shower.1", "washbasin.1"] {
         assert!(

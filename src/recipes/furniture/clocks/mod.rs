@@ -1,8 +1,6 @@
 //! Clocks on walls, 0.25 to 0.35 m wide and 0.05 deep, and clocks that stand, 0.1 m high.
 
 mod standing;
-#[cfg(test)]
-mod tests;
 mod wall;
 
 use std::f64::consts::TAU;

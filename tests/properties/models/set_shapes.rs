@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use crate::geometry::Size;
-use crate::recipes::{GeometrySet, Recipe, RecipeInput, recipes};
+use roomwright::internals::geometry::Size;
+use roomwright::internals::recipes::{GeometrySet, Recipe, RecipeInput, recipes};
 
 /// Share of the box's diagonal by which the surfaces of two shapes lie apart somewhere: what one sees from across a room.
 const LEAST_DIFFERENCE: f64 = 0.01;

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use glam::{DVec2, DVec3};
 
-use crate::geometry::{DisjointSets, Size};
-use crate::recipes::Mesh;
+use roomwright::internals::geometry::{DisjointSets, Size};
+use roomwright::internals::recipes::Mesh;
 
 /// Square metres below which a triangle counts as having none.
 const SMALLEST_AREA: f64 = 1e-9;
@@ -17,7 +17,7 @@ const COPLANAR: f64 = 0.000_1;
 const OVERLAP: f64 = 2e-6;
 
 /// A model as one list of triangles over welded corners.
-pub(in crate::recipes) struct Welded {
+pub struct Welded {
     points: Vec<DVec3>,
     triangles: Vec<[usize; 3]>,
     /// The connected part that each triangle belongs to.
@@ -26,7 +26,7 @@ pub(in crate::recipes) struct Welded {
 
 impl Welded {
     /// Welds corners of exactly equal position, whatever their material.
-    pub(in crate::recipes) fn new(model: &Mesh) -> Self {
+    pub fn new(model: &Mesh) -> Self {
         let mut known: BTreeMap<[u32; 3], usize> = BTreeMap::new();
         let mut points = Vec::new();
         let mut triangles = Vec::new();
@@ -56,7 +56,7 @@ impl Welded {
     }
 
     /// The first fault of the surface: an open or overused edge, a triangle without area, a part inside out.
-    pub(in crate::recipes) fn surface_fault(&self) -> Option<String> {
+    pub fn surface_fault(&self) -> Option<String> {
         let mut edges: BTreeMap<(usize, usize), u32> = BTreeMap::new();
         let mut volumes: BTreeMap<usize, f64> = BTreeMap::new();
         for (index, triangle) in self.triangles.iter().enumerate() {
@@ -79,7 +79,7 @@ impl Welded {
     }
 
     /// The first two faces of different parts that overlap in one plane, where they would flicker.
-    pub(in crate::recipes) fn flicker_fault(&self) -> Option<String> {
+    pub fn flicker_fault(&self) -> Option<String> {
         // By distance from the origin along normals that all point the same way, so that planes that are one follow
         // each other.
         let mut faces: Vec<(f64, DVec3, usize)> = (0..self.triangles.len())
@@ -187,7 +187,7 @@ fn overlap(first: [DVec3; 3], second: [DVec3; 3], normal: DVec3) -> (f64, DVec3)
 
 /// The first fault of a model's numbers: a bad index, a normal that is not of unit length or looks
 /// away, a box that is not filled.
-pub(in crate::recipes) fn number_fault(model: &Mesh, size: Size) -> Option<String> {
+pub fn number_fault(model: &Mesh, size: Size) -> Option<String> {
     let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     for part in &model.parts {
         if part.positions.len() != part.normals.len() || part.indices.len() % 3 != 0 {

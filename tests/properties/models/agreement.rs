@@ -4,10 +4,13 @@ use std::fmt::Write as _;
 
 use glam::DVec3;
 
-use super::stand_in::{distance_outside, rules};
-use super::{Model, ModelLibrary, ModelMaterial, Primitive};
-use crate::catalog::{Catalog, Class, ModelSource, Side, Size, VariantRef, load_catalog};
-use crate::recipes::{GeometrySet, Slot};
+use roomwright::internals::catalog::{Class, ModelSource, Side, Size, VariantRef};
+use roomwright::internals::model::{
+    Model, ModelLibrary, ModelMaterial, Primitive, distance_outside, prisms_of,
+};
+use roomwright::internals::recipes::{GeometrySet, Slot};
+
+use crate::CATALOG;
 
 /// Metres by which a part may stand out of the declared shape: room enough for cushions, seams and taps.
 const TOLERANCE: f64 = 0.04;
@@ -24,7 +27,7 @@ const ARM_RESTS: [&str; 1] = ["office_chair"];
 /// How far the farthest of some points lies outside of the prisms of a class, and where; zero where none does. Models have millions of
 /// corners: who is inside one prism is not compared with the others.
 fn farthest_outside(class: &Class, size: Size, points: impl Iterator<Item = DVec3>) -> (f64, DVec3) {
-    let prisms = rules(&class.shape);
+    let prisms = prisms_of(&class.shape);
     let mut worst = (0.0, DVec3::ZERO);
     for point in points {
         let mut outside = f64::MAX;
@@ -43,8 +46,8 @@ fn farthest_outside(class: &Class, size: Size, points: impl Iterator<Item = DVec
 
 /// Calls `check` with every model of the classes that are wanted, and lists what it finds.
 fn faults_of(is_wanted: impl Fn(&Class) -> bool, check: impl Fn(&Class, &Model, Size) -> Option<String>) {
-    let catalog = catalog();
-    let library = ModelLibrary::load(&catalog).unwrap();
+    let catalog = &*CATALOG;
+    let library = ModelLibrary::load(catalog).unwrap();
     let mut report = String::new();
     for (index, class) in catalog.classes.iter().enumerate().filter(|(_, class)| is_wanted(class)) {
         for (variant, set) in
@@ -114,10 +117,6 @@ fn firm_corners(model: &Model) -> impl Iterator<Item = DVec3> {
     let is_firm = |part: &&Primitive| !LOOSE.iter().any(|&slot| part.material == ModelMaterial::Slot(slot));
     let parts = model.primitives.iter().filter(is_firm);
     parts.flat_map(|part| &part.positions).map(|place| DVec3::from_array(place.map(f64::from)))
-}
-
-fn catalog() -> Catalog {
-    load_catalog(&[]).expect("the built-in configuration is sound").value
 }
 
 #[test]
