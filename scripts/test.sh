@@ -16,10 +16,13 @@ log=$work/log
 passed=0
 failed=0
 step_name=
+# The process of `start_hostile`, while it runs.
+hostile=
 started=$SECONDS
 
 finish() {
   local status=$?
+  [ -z "$hostile" ] || kill "$hostile" 2>/dev/null || true
   if [ "$status" -ne 0 ] && [ -n "$step_name" ]; then
     [ "$failed" -gt 0 ] || failed=1
     printf '\nFAILED: %s\n' "$step_name"
@@ -65,6 +68,20 @@ counted() {
 checked() {
   "$@"
   passed=$((passed + 1))
+}
+
+# Hostile inputs, which one processor reads: beside the release build, much of which has work for one.
+start_hostile() {
+  cargo test --locked --test fuzz >"$work/hostile" 2>&1 &
+  hostile=$!
+}
+
+finish_hostile() {
+  local status=0
+  wait "$hostile" || status=$?
+  hostile=
+  counted cat "$work/hostile"
+  return "$status"
 }
 
 # The demo as the README bakes it: no arguments, from the project's folder, in debug and in release.
@@ -164,13 +181,15 @@ step "cargo check (without the command)" checked cargo check --no-default-featur
 step "cargo doc" checked env RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --locked --document-private-items
 # With checks of arithmetic and debug assertions, and slow: single stages, damaged inputs, and the pinned levels.
 # Whole commands, random rooms and kills run below, as users run them; `cargo test` alone runs everything with these checks.
-step "cargo test (debug)" counted cargo test --locked --lib --test plan --test scene --test fuzz
+step "cargo test (debug)" counted cargo test --locked --lib --test plan --test scene
 step "cargo test (debug, pinned levels)" counted cargo test --locked --test command_line pinned
 step "cargo test (documentation)" counted cargo test --locked --doc
+start_hostile
 # Optimised: what users run. The library's own tests, and those of single stages, ran in debug; to build them once more takes as
 # long as all the others.
 step "cargo test (release)" counted cargo test --release --locked \
   --test command_line --test end_to_end --test faults --test kill --test properties
+step "cargo test (debug, hostile inputs)" finish_hostile
 step "cargo build" cargo build --locked
 step "The demo, twice" checked bake_twice
 step "validate.py" checked .venv/bin/python scripts/validate.py "$work/release"

@@ -23,7 +23,7 @@ use super::footprint::{Footprint, Site};
 use super::hopeless::{Hopeless, Kind};
 use super::house::{house, outer_ports};
 use super::links::{Link, Links, link};
-use super::open::{WAYS, one_room, open_plan, within_limits};
+use super::open::{SmallRooms, WAYS, one_room, open_plan, within_limits};
 use super::plate::Outline;
 use super::ring::without_spikes;
 use super::spine::Ground;
@@ -133,7 +133,7 @@ pub(crate) fn plan_building(
             refused.push(format!("{}: the walls leave no floor", brief.name));
             continue;
         }
-        for attempt in 0..TRIES {
+        for attempt in 0..tries(brief.typology.plan) {
             let stream = building_stream(choices.seed, &footprint.id, &format!("{} {attempt}", brief.name));
             let sketch = Sketch { grounds: &grounds, kind: Kind { brief, typologies, hopeless: &hopeless } };
             match storeys(sketch, footprint.flats, attempt, stream) {
@@ -164,6 +164,11 @@ pub(crate) fn plan_building(
     Some(finished(footprint, &outline, first, (storeys, rung, refused), measures.area))
 }
 
+/// How often a kind is tried: open storeys with as many small rooms as people need, and then with few, from which the way out is shorter.
+fn tries(plan: PlanKind) -> usize {
+    if plan == PlanKind::Open { 2 * TRIES } else { TRIES }
+}
+
 /// All storeys by the plan of a kind, each checked.
 fn storeys(
     sketch: Sketch<'_>,
@@ -184,7 +189,10 @@ fn storeys(
         PlanKind::Corridor | PlanKind::CorridorFlats => {
             corridors(grounds, kind, attempt, &mut stream).map(|cells| vec![cells])
         }
-        PlanKind::Open => open_plan(grounds, brief, typologies, attempt).map(|cells| vec![cells]),
+        PlanKind::Open => {
+            let small = if attempt < TRIES { SmallRooms::Enough } else { SmallRooms::Few };
+            open_plan(grounds, brief, typologies, (attempt % TRIES, small)).map(|cells| vec![cells])
+        }
     };
     let mut levels = levels.ok_or("no arrangement keeps to what rooms need")?;
     if let Some(other) = &brief.typology.street_level {
@@ -264,6 +272,7 @@ fn simplest(sketch: Sketch<'_>) -> (Vec<Storey>, u32) {
     let mut open = brief.typology.clone();
     open.main = Some("generic".to_owned());
     open.services.clear();
+    open.service_shares.clear();
     open.compartment = Some(open.compartment.unwrap_or(LARGEST_HALL).min(LARGEST_HALL));
     let plain = Brief { typology: &open, ..brief.clone() };
     let sketch = Sketch { kind: Kind { brief: &plain, ..sketch.kind }, ..sketch };
@@ -278,7 +287,9 @@ fn simplest(sketch: Sketch<'_>) -> (Vec<Storey>, u32) {
         }
         levels
     };
-    for mut cells in (0..WAYS.len()).filter_map(|attempt| open_plan(grounds, &plain, typologies, attempt)) {
+    for mut cells in (0..WAYS.len())
+        .filter_map(|attempt| open_plan(grounds, &plain, typologies, (attempt, SmallRooms::Few)))
+    {
         trade_thin_parts(&mut cells, Rules::of_rooms(typologies));
         let storeys = levels(cells);
         if storeys.iter().all(|storey| storey.fault.is_none()) {

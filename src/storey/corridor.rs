@@ -12,8 +12,8 @@ use super::flats::flat_at;
 use super::hopeless::Kind;
 use super::house::outer_port;
 use super::open::large_rooms;
-use super::ring::{Axis, Ring, area, bounds, join, longest, shared, split, turned_back};
-use super::spine::{Fixed, FixedKind, Ground, Row, Spine, extent, settle};
+use super::ring::{Axis, Ring, area, bounds, join, longest, shared, split, turned, turned_back};
+use super::spine::{Fixed, FixedKind, Ground, Row, Spine, extent, settle, turned_ring_back};
 use super::thin::{Rules, trade_thin_parts};
 use super::typology::{Light, PlanKind};
 use super::wings::{Wing, compact, tree};
@@ -56,6 +56,12 @@ const DEEPEST_ROOMS: f64 = 7.0;
 const LEAST_ROW: f64 = 1.7;
 /// Depth of a bath at the corridor, and its width.
 const BATH: (f64, f64) = (2.1, 1.75);
+/// Metres of width of a bath with half of its walls at least, where the corridor is not quite parallel.
+const LEAST_BATH: f64 = 1.68;
+/// Metres of the walls of a room beside its bath, and of an outer wall that is not quite parallel.
+const BESIDE_BATH: f64 = 0.4;
+/// The room type of rooms that have a bath of their own.
+const HOTEL_ROOM: &str = "hotel_room";
 /// How many times as deep as wide a small room of a row is at most, where the row has place for it, and how many times as large as
 /// asked for it becomes so: cubicles stand beside each other, shelves on both sides of the way between them.
 const SLENDEREST: f64 = 3.0;
@@ -114,6 +120,7 @@ pub(super) fn corridors(
     });
     let hall = brief.typology.hall.as_deref()?;
     let mut wings = tree(without_spurs(pieces.collect(), hall, kind), entrance)?;
+    let floor: f64 = grounds.iter().map(|ground| area(&ground.ring)).sum();
     let mut task = Task {
         ground: whole,
         kind,
@@ -121,12 +128,7 @@ pub(super) fn corridors(
         main: brief.typology.main.as_deref().unwrap_or("studio"),
         module: brief.typology.module?,
         is_plain: attempt > 0,
-        services: brief
-            .typology
-            .services
-            .iter()
-            .map(|(room_type, area)| (room_type.as_str(), *area))
-            .collect(),
+        services: brief.typology.services_of(if attempt > 1 { 0.0 } else { floor }),
         unit: 0,
         stream,
     };
@@ -157,7 +159,6 @@ pub(super) fn corridors(
         ways.push(WayOut::of(&own, wing, far));
         cells.extend(own);
     }
-    let floor: f64 = grounds.iter().map(|ground| area(&ground.ring)).sum();
     (open <= MOST_OPEN * floor).then_some(cells)
 }
 
@@ -471,6 +472,36 @@ fn lift(ring: Ring, strip: &[Point]) -> Option<Vec<Cell>> {
     Some(vec![Cell::shared(lift, "elevator"), Cell::shared(shaft, "shaft")])
 }
 
+/// A small room of a row.
+#[derive(Clone, Copy)]
+struct SmallRoom<'a> {
+    /// Its type, and the square metres that are wanted of it.
+    wanted: (&'a str, f64),
+    /// Metres of the row that it takes.
+    width: f64,
+}
+
+/// The small rooms that are wanted and have a place in a row, the first that has none ends them.
+fn small_rooms<'a>(task: &mut Task<'a>, row: &Row) -> Option<Vec<SmallRoom<'a>>> {
+    // As far as the row goes; in a lit row of a hotel or a school at most a third of it.
+    let is_lit = row.light_between(row.from, row.to) >= 1.0;
+    let most = if is_lit { row.length() / 3.0 } else { row.length() };
+    let mut used = 0.0;
+    let mut small = Vec::new();
+    while let Some(&(room_type, wanted)) = task.services.first() {
+        let needs = task.kind.typologies.rooms.get(room_type)?;
+        let least = (wanted / row.depth()).max(needs.width + 0.2);
+        let good = (row.depth() / SLENDEREST).min(MOST_SERVICE * wanted / row.depth()).max(least);
+        let width = if used + good > most { least } else { good };
+        if used + width > most {
+            break;
+        }
+        used += width;
+        small.push(SmallRoom { wanted: task.services.remove(0), width });
+    }
+    Some(small)
+}
+
 /// The rooms of a row.
 fn row_cells(
     task: &mut Task<'_>,
@@ -479,28 +510,14 @@ fn row_cells(
     strip: &[Point],
     left_over: &mut Vec<Ring>,
 ) -> Option<Vec<Cell>> {
-    let is_lit = |from: f64, to: f64| row.light_between(from, to) >= 1.0;
-    let mut kinds: Vec<(String, f64)> = Vec::new();
-    let mut left = row.length();
-    // Small rooms first, as far as the row goes; in a lit row of a hotel or a school at most a third of it.
-    let most = if is_lit(row.from, row.to) { row.length() / 3.0 } else { row.length() };
-    let mut used = 0.0;
-    while let Some(&(room_type, wanted)) = task.services.first() {
-        let needs = task.kind.typologies.rooms.get(room_type)?;
-        let least = (wanted / row.depth()).max(needs.width + 0.2);
-        let good = (row.depth() / SLENDEREST).min(MOST_SERVICE * wanted / row.depth()).max(least);
-        let width = if used + good > most || left - good < 0.0 { least } else { good };
-        if used + width > most || left - width < 0.0 {
-            break;
-        }
-        kinds.push((room_type.to_owned(), width));
-        used += width;
-        left -= width;
-        task.services.remove(0);
-    }
+    let small = small_rooms(task, row)?;
+    let mut kinds: Vec<(String, f64)> =
+        small.iter().map(|room| (room.wanted.0.to_owned(), room.width)).collect();
+    let used: f64 = small.iter().map(|room| room.width).sum();
+    let left = row.length() - used;
     let module = task.stream.between(task.module.0, task.module.1);
-    let count = ((left / module).round() as usize).max(usize::from(left > 1.2));
     let is_dark = row.light_between(row.from, row.to) < 1.0;
+    let count = room_count(task, if is_dark { f64::INFINITY } else { row.depth() }, (left, module));
     for _ in 0..count {
         let room_type = if is_dark { dark_type(task) } else { lit_type(task) };
         kinds.push((room_type.to_owned(), left / count as f64));
@@ -526,13 +543,31 @@ fn row_cells(
     let mut cells = Vec::new();
     for (index, ((room_type, _), ring)) in kinds.into_iter().zip(rings).enumerate() {
         if ring.is_empty() {
+            task.services.extend(small.get(index).map(|room| room.wanted));
             continue;
         }
         let has_light = ground.light(&ring).iter().any(|piece| piece.length() >= 1.0);
-        let room_type = fitting_type(task, room_type, &ring, has_light);
+        let fitting = fitting_type(task, &room_type, &ring, has_light);
+        // A small room that is none of its type here is wanted in another row.
+        let lost = small.get(index).filter(|_| fitting != room_type);
+        task.services.extend(lost.map(|room| room.wanted));
+        let room_type = fitting;
         cells.extend(room_cells(task, ground, Cell { ring, room_type, unit: None }, strip, index)?);
     }
     Some(cells)
+}
+
+/// How many rooms of about a module's width a stretch of a row is parted into. Where the row is too shallow for a bed behind a bath, the
+/// bed stands beside it, in a room that is wide enough for both.
+fn room_count(task: &Task<'_>, depth: f64, (stretch, module): (f64, f64)) -> usize {
+    let width = task.kind.typologies.rooms.get(task.main).map_or(0.0, |needs| needs.width);
+    let is_beside = task.main == HOTEL_ROOM && depth < BATH.0 + width;
+    let count = if is_beside {
+        (stretch / (BATH.1 + width + BESIDE_BATH)).floor()
+    } else {
+        (stretch / module).round()
+    };
+    (count as usize).max(usize::from(stretch > 1.2))
 }
 
 /// The type of a room at an outer wall: the building's main one, or another for some.
@@ -553,11 +588,11 @@ fn dark_type<'a>(task: &mut Task<'a>) -> &'a str {
 }
 
 /// The type of a room where it is wide and light enough for it; else another of the building's in a lit room, else a store.
-fn fitting_type(task: &Task<'_>, room_type: String, ring: &Ring, has_light: bool) -> String {
-    let needs = task.kind.typologies.rooms.get(&room_type);
+fn fitting_type(task: &Task<'_>, room_type: &str, ring: &Ring, has_light: bool) -> String {
+    let needs = task.kind.typologies.rooms.get(room_type);
     let needs_light = needs.is_none_or(|needs| needs.light == Light::Required);
-    if is_fit_for(task, &room_type, ring) && (!needs_light || has_light) {
-        return room_type;
+    if is_fit_for(task, room_type, ring) && (!needs_light || has_light) {
+        return room_type.to_owned();
     }
     let mut others = task.kind.brief.typology.others.keys().filter(|_| has_light);
     others.find(|other| is_fit_for(task, other, ring)).map_or("storeroom", String::as_str).to_owned()
@@ -579,10 +614,10 @@ fn room_cells(
         task.unit += 1;
         return Some(cells.into_iter().map(|cell| Cell { unit: Some(task.unit), ..cell }).collect());
     }
-    let is_hotel = room_type == "hotel_room";
-    let bath = if is_hotel { with_bath(&ring, strip, index.is_multiple_of(2)) } else { None };
-    if let Some((room, bath)) = bath.filter(|(room, _)| is_fit_for(task, "hotel_room", room)) {
-        return Some(vec![Cell::shared(room, "hotel_room"), Cell::shared(bath, "hotel_bathroom")]);
+    let is_hotel = room_type == HOTEL_ROOM;
+    let bath = if is_hotel { with_bath(task, &ring, strip, index.is_multiple_of(2)) } else { None };
+    if let Some((room, bath)) = bath {
+        return Some(vec![Cell::shared(room, HOTEL_ROOM), Cell::shared(bath, "hotel_bathroom")]);
     }
     Some(vec![Cell { ring, room_type, unit: None }])
 }
@@ -592,8 +627,23 @@ fn is_fit_for(task: &Task<'_>, room_type: &str, ring: &Ring) -> bool {
     task.kind.typologies.rooms.get(room_type).is_none_or(|needs| is_as_wide_as(ring, needs.width))
 }
 
-/// A bath at the corridor, on one side of the way into the room.
-fn with_bath(ring: &Ring, strip: &[Point], is_left: bool) -> Option<(Ring, Ring)> {
+/// A hotel room that is wide enough beside its bath, which is at the corridor, on one side of the way into the room or on the other.
+fn with_bath(task: &Task<'_>, ring: &Ring, strip: &[Point], is_left: bool) -> Option<(Ring, Ring)> {
+    let border = longest(shared(ring, strip))?.vector();
+    // At the end of a corridor it runs across the row.
+    let is_across = border.y.abs() > border.x.abs();
+    let framed = |ring: &[Point]| if is_across { turned(ring) } else { ring.to_vec() };
+    let back = |ring: Ring| if is_across { turned_ring_back(&ring) } else { ring };
+    let (ring, strip) = (framed(ring), framed(strip));
+    let mut ways = [is_left, !is_left].into_iter().filter_map(|is_left| cut_bath(&ring, &strip, is_left));
+    let is_fit =
+        |(room, bath): &(Ring, Ring)| is_fit_for(task, HOTEL_ROOM, room) && is_as_wide_as(bath, LEAST_BATH);
+    let (room, bath) = ways.find(is_fit)?;
+    Some((back(room), back(bath)))
+}
+
+/// A room and a bath at its border on the corridor.
+fn cut_bath(ring: &Ring, strip: &[Point], is_left: bool) -> Option<(Ring, Ring)> {
     let border = longest(shared(ring, strip))?;
     let (low, high) = (border.start.x.min(border.end.x), border.start.x.max(border.end.x));
     if high - low < BATH.1 + DOOR_STRETCH {

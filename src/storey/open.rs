@@ -53,19 +53,27 @@ impl Way {
     }
 }
 
+/// How many small rooms an open storey has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum SmallRooms {
+    /// As large as people need in each of its parts.
+    Enough,
+    /// One of each, as small as may be.
+    Few,
+}
+
 /// One level, alike on all storeys; `None` where there is no place for the small rooms. Later attempts have more stairs or more
 /// parts, then fewer places for small rooms.
 pub(super) fn open_plan(
     grounds: &[Ground],
     brief: &Brief<'_>,
     typologies: &Typologies,
-    attempt: usize,
+    (attempt, small): (usize, SmallRooms),
 ) -> Option<Vec<Cell>> {
     let way = WAYS[attempt.min(WAYS.len() - 1)];
     let main = brief.typology.main.as_deref()?;
     let has_stairs = brief.storeys > 1;
-    let all = brief.typology.services.iter().map(|(room_type, area)| (room_type.as_str(), *area));
-    let all: Vec<(&str, f64)> = has_stairs.then_some(("stairs", STAIRS)).into_iter().chain(all).collect();
+    let stairs = has_stairs.then_some(("stairs", STAIRS));
     let mut cells: Vec<Cell> = Vec::new();
     for (index, ground) in grounds.iter().enumerate() {
         let is_joined = || cells.iter().any(|cell| shared_length(&cell.ring, &ground.ring) >= LEAST_BORDER);
@@ -83,7 +91,13 @@ pub(super) fn open_plan(
         }
         for (part, ring) in parts.into_iter().enumerate() {
             let is_first = index == 0 && part == 0;
-            let services = if is_first { all.clone() } else { all[..usize::from(has_stairs)].to_vec() };
+            let wanted = match (is_first, small) {
+                (true, SmallRooms::Enough) => brief.typology.services_of(area(&ring)),
+                (true, SmallRooms::Few) => brief.typology.services_of(0.0),
+                (false, SmallRooms::Enough) => brief.typology.shared_services_of(area(&ring)),
+                (false, SmallRooms::Few) => Vec::new(),
+            };
+            let services: Vec<(&str, f64)> = stairs.into_iter().chain(wanted).collect();
             let whole = || vec![Cell::shared(ring.clone(), main)];
             let end = End { services: &services, has_stairs, typologies, is_careful: way.is_careful };
             let cut = part_cells(&ground.part(ring.clone()), end, main);

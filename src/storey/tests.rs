@@ -305,6 +305,31 @@ fn large_open_storeys_are_parted_into_compartments() {
 }
 
 #[test]
+fn hotel_rooms_have_baths_in_shallow_rows_and_deep_ones() {
+    for depth in [11.0, 12.5, 14.0, 16.0] {
+        let hotel = alone(rectangle(0.0, 0.0, 40.0, depth), 3.0, "hotel");
+        assert_eq!(hotel.report.typology, "hotel", "{depth}: {:?}", hotel.report);
+        let count = |room_type: &str| rooms_of(&hotel, 1, room_type).len();
+        assert_eq!(count("hotel_room"), count("hotel_bathroom"), "{depth}");
+        assert!(count("hotel_room") > 6, "{depth}");
+    }
+}
+
+/// Workplace rules of many countries ask for a toilet for some 15 to 25 people, each of whom has some 10 m².
+#[test]
+fn restrooms_grow_with_the_people_of_a_storey() {
+    let restrooms = |width: f64, storeys: f64| {
+        let office = alone(rectangle(0.0, 0.0, width, 30.0), storeys, "office");
+        let rooms = rooms_of(&office, 0, "restroom");
+        rooms.iter().map(|room| area(&room.outline)).sum::<f64>() / (width * 30.0)
+    };
+    for (width, storeys) in [(30.0, 1.0), (40.0, 1.0), (60.0, 3.0), (90.0, 3.0)] {
+        let share = restrooms(width, storeys);
+        assert!((0.02..0.06).contains(&share), "{width} m, {storeys} storeys: {share}");
+    }
+}
+
+#[test]
 fn small_rooms_of_deep_rows_are_no_tubes() {
     let offices = alone(rectangle(0.0, 0.0, 36.0, 16.0), 2.0, "office");
     let restrooms = rooms_of(&offices, 0, "restroom");

@@ -179,6 +179,10 @@ pub struct Typology {
     /// Room types of which each storey has one, in dark places first.
     #[serde(default)]
     pub services: BTreeMap<String, f64>,
+    /// Share of the floor that the rooms of a type have at least, which the people who are there need; where that is much, they
+    /// are several, and open storeys have some in each of their parts.
+    #[serde(default)]
+    pub service_shares: BTreeMap<String, f64>,
     /// Name of the programmes of flats, or of the ground floor of a house.
     #[serde(default)]
     pub programme: Option<String>,
@@ -188,6 +192,32 @@ pub struct Typology {
     /// Square metres of a flat with its share of the stairs, or of a section with stairs of its own.
     #[serde(default)]
     pub section: Option<f64>,
+}
+
+/// Square metres of a small room up to which it is one: what is more becomes several.
+const ONE_SERVICE: f64 = 24.0;
+/// Rooms of a type that a floor has at most, whatever a share says.
+const MOST_SERVICES: f64 = 12.0;
+
+impl Typology {
+    /// The small rooms of a floor of so many square metres, with theirs: first those that grow with it, which nobody goes without.
+    pub(super) fn services_of(&self, floor: f64) -> Vec<(&str, f64)> {
+        let fixed =
+            self.services.iter().filter(|(room_type, _)| !self.service_shares.contains_key(*room_type));
+        let fixed = fixed.map(|(room_type, area)| (room_type.as_str(), *area));
+        self.shared_services_of(floor).into_iter().chain(fixed).collect()
+    }
+
+    /// Of these, those that grow with the floor.
+    pub(super) fn shared_services_of(&self, floor: f64) -> Vec<(&str, f64)> {
+        let rooms = self.service_shares.iter().flat_map(|(room_type, share)| {
+            let least = self.services.get(room_type).copied().unwrap_or(0.0);
+            let wanted = least.max(share * floor);
+            let count = (wanted / ONE_SERVICE).ceil().clamp(1.0, MOST_SERVICES);
+            std::iter::repeat_n((room_type.as_str(), wanted / count), count as usize)
+        });
+        rooms.filter(|(_, area)| *area > 0.0).collect()
+    }
 }
 
 /// How storeys are divided.

@@ -73,7 +73,12 @@ fn check(
         for (key, room) in [("entrance", &kind.entrance), ("open_wing", &kind.open_wing)] {
             room.iter().for_each(|room| known(&spot.key(key), "room of `rooms`", room, &planned));
         }
-        for (key, list) in [("others", &kind.others), ("services", &kind.services)] {
+        let lists = [
+            ("others", &kind.others),
+            ("services", &kind.services),
+            ("service_shares", &kind.service_shares),
+        ];
+        for (key, list) in lists {
             list.keys().for_each(|room| known(&spot.key(key).key(room), "room of `rooms`", room, &planned));
         }
         for (key, name) in [("programme", &kind.programme), ("upper_programme", &kind.upper_programme)] {
