@@ -30,6 +30,8 @@ const STAIRS: f64 = 13.0;
 /// How many sides of a square of its largest area a compartment stretches over at most: a narrow one around a court, or a bent one
 /// of a hundred metres, is no room that people see the end of, though it is no larger than others.
 const LONGEST_COMPARTMENT: f64 = 2.0;
+/// How many times the width that they need small rooms are given, walls and sloping ends included.
+const WIDER: f64 = 1.1;
 /// Share of the storey that small rooms take at most.
 const MOST_SHARE: f64 = 0.4;
 
@@ -235,9 +237,16 @@ fn width_of(typologies: &Typologies, room_type: &str) -> f64 {
 /// Metres of depth of the small rooms at least, of which so many would do for their area: deep enough for the room that needs most,
 /// also at an outer wall that is not quite parallel.
 fn least_depth(end: End<'_>, by_area: f64) -> f64 {
-    let widths = end.services.iter().map(|(room_type, _)| 1.1 * width_of(end.typologies, room_type));
+    let widths = end.services.iter().map(|(room_type, _)| WIDER * width_of(end.typologies, room_type));
     let widest = widths.fold(1.6, f64::max);
     if end.has_stairs { DEPTH.1 } else { by_area.clamp(widest, DEPTH.0.max(widest)) }
+}
+
+/// Metres of width of small rooms in a row of this depth: those among deeper stairs are as wide as they need to be, and larger than was
+/// asked for.
+fn small_widths(services: &[(&str, f64)], depth: f64, typologies: &Typologies) -> Vec<f64> {
+    let width = |(room_type, area): &(&str, f64)| (area / depth).max(WIDER * width_of(typologies, room_type));
+    services.iter().map(width).collect()
 }
 
 /// Small rooms in a row at the top or bottom end, from its left or right on; the cost is the light that they take, and closing the entrance.
@@ -256,10 +265,10 @@ fn at_end(ground: &Ground, end: End<'_>, is_top: bool, is_right: bool) -> Option
     let others: Vec<Ring> = end.into_iter().skip(1).chain(room.drain(1.min(room.len())..)).collect();
     // Services take a part of the row, from one end; the rest belongs to the large room.
     let (low, high) = extent(&row, Axis::X);
-    let share = (wanted / area(&row)).min(1.0);
+    let widths = small_widths(services, area(&row) / (high - low), typologies);
+    let length: f64 = widths.iter().sum();
     let mut rests = others;
-    if share < 0.9 {
-        let length = (high - low) * share;
+    if length < 0.9 * (high - low) {
         let (below, above) = split(&row, Axis::X, if is_right { high - length } else { low + length });
         let (mut kept, beyond) = if is_right { (above, below) } else { (below, above) };
         row = if kept.is_empty() { return None } else { kept.swap_remove(0) };
@@ -267,11 +276,11 @@ fn at_end(ground: &Ground, end: End<'_>, is_top: bool, is_right: bool) -> Option
     }
     let (low, high) = extent(&row, Axis::X);
     let mut taken = 0.0;
-    let places: Vec<f64> = services[..services.len() - 1]
+    let places: Vec<f64> = widths[..widths.len() - 1]
         .iter()
-        .map(|(_, area)| {
-            taken += area;
-            low + (high - low) * taken / wanted
+        .map(|width| {
+            taken += width;
+            low + (high - low) * taken / length
         })
         .collect();
     let (small, crumbs) = cut_along(&[row], &places);
@@ -374,7 +383,7 @@ mod tests {
         let ground = Ground { facade: look_out(&ring, &[], &around), ring, wall: 0.0 };
         let catalog = crate::catalog::builtin_catalog();
         let leaves_thin_parts = |is_careful: bool| {
-            let services = [("stairs", STAIRS), ("storeroom", 10.0), ("toilet", 2.5)];
+            let services = [("stairs", STAIRS), ("storeroom", 10.0)];
             let end =
                 End { services: &services, has_stairs: true, typologies: &catalog.typologies, is_careful };
             let cells = part_cells(&ground, end, "shop").expect("there is a place for them");

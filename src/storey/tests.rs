@@ -463,7 +463,7 @@ fn halls_whose_middle_is_far_from_all_walls_are_parted() {
         "{:?}",
         offices.report
     );
-    assert_eq!(rooms_of(&offices, 0, "office").len(), 2);
+    assert!(rooms_of(&offices, 0, "office").len() > 1);
 }
 
 #[test]
