@@ -191,7 +191,7 @@ fn storeys(
         }
         PlanKind::Open => {
             let small = if attempt < TRIES { SmallRooms::Enough } else { SmallRooms::Few };
-            open_plan(grounds, brief, typologies, (attempt % TRIES, small)).map(|cells| vec![cells])
+            open_plan(grounds, brief, typologies, attempt % TRIES, small).map(|cells| vec![cells])
         }
     };
     let mut levels = levels.ok_or("no arrangement keeps to what rooms need")?;
@@ -272,7 +272,6 @@ fn simplest(sketch: Sketch<'_>) -> (Vec<Storey>, u32) {
     let mut open = brief.typology.clone();
     open.main = Some("generic".to_owned());
     open.services.clear();
-    open.service_shares.clear();
     open.compartment = Some(open.compartment.unwrap_or(LARGEST_HALL).min(LARGEST_HALL));
     let plain = Brief { typology: &open, ..brief.clone() };
     let sketch = Sketch { kind: Kind { brief: &plain, ..sketch.kind }, ..sketch };
@@ -287,8 +286,8 @@ fn simplest(sketch: Sketch<'_>) -> (Vec<Storey>, u32) {
         }
         levels
     };
-    for mut cells in (0..WAYS.len())
-        .filter_map(|attempt| open_plan(grounds, &plain, typologies, (attempt, SmallRooms::Few)))
+    for mut cells in
+        (0..WAYS.len()).filter_map(|attempt| open_plan(grounds, &plain, typologies, attempt, SmallRooms::Few))
     {
         trade_thin_parts(&mut cells, Rules::of_rooms(typologies));
         let storeys = levels(cells);

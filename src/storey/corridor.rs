@@ -517,7 +517,7 @@ fn row_cells(
     let left = row.length() - used;
     let module = task.stream.between(task.module.0, task.module.1);
     let is_dark = row.light_between(row.from, row.to) < 1.0;
-    let count = room_count(task, if is_dark { f64::INFINITY } else { row.depth() }, (left, module));
+    let count = room_count(task, if is_dark { f64::INFINITY } else { row.depth() }, left, module);
     for _ in 0..count {
         let room_type = if is_dark { dark_type(task) } else { lit_type(task) };
         kinds.push((room_type.to_owned(), left / count as f64));
@@ -559,7 +559,7 @@ fn row_cells(
 
 /// How many rooms of about a module's width a stretch of a row is parted into. Where the row is too shallow for a bed behind a bath, the
 /// bed stands beside it, in a room that is wide enough for both.
-fn room_count(task: &Task<'_>, depth: f64, (stretch, module): (f64, f64)) -> usize {
+fn room_count(task: &Task<'_>, depth: f64, stretch: f64, module: f64) -> usize {
     let width = task.kind.typologies.rooms.get(task.main).map_or(0.0, |needs| needs.width);
     let is_beside = task.main == HOTEL_ROOM && depth < BATH.0 + width;
     let count = if is_beside {

@@ -70,7 +70,8 @@ pub(super) fn open_plan(
     grounds: &[Ground],
     brief: &Brief<'_>,
     typologies: &Typologies,
-    (attempt, small): (usize, SmallRooms),
+    attempt: usize,
+    small: SmallRooms,
 ) -> Option<Vec<Cell>> {
     let way = WAYS[attempt.min(WAYS.len() - 1)];
     let main = brief.typology.main.as_deref()?;
