@@ -16,7 +16,7 @@ use super::screen::Screen;
 use crate::batch::distinct_names;
 use crate::catalog::{Catalog, load_catalog};
 use crate::document::{Faults, Warned, counted, printable};
-use crate::plan::{PlanOptions, PlannedSite, SiteNotes, finish_draft, id_taken, read_and_plan, write_native};
+use crate::plan::{PlanOptions, PlannedSite, SiteNotes, finish_draft, id_taken, plan_outlines, write_native};
 use crate::storey::{Origin, PlanReport, PlannedBuilding};
 
 /// The answer of `plan`.
@@ -104,7 +104,7 @@ fn read(sources: &SourceArguments) -> Result<(Vec<PlannedSite>, Catalog, Faults)
     let mut planned = Vec::new();
     let mut owners: BTreeMap<String, &PathBuf> = BTreeMap::new();
     for path in &sources.paths {
-        match read_and_plan(path, &options) {
+        match plan_outlines(path, &options) {
             Ok(mut site) => {
                 faults.merge(std::mem::take(&mut site.site.faults));
                 site.buildings.retain(|building| {

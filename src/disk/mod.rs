@@ -12,11 +12,13 @@
 mod hash;
 mod inside;
 mod lock;
+mod packed;
 mod regular;
 mod temporary;
 
 pub(crate) use hash::{FieldHash, content_hash, file_hash, to_hex};
 pub(crate) use inside::{look_inside, open_inside, stray_step};
 pub(crate) use lock::{Holder, holder, ignore_unsupported};
+pub(crate) use packed::{open_unpacked, read_unpacked, unpacked_name};
 pub(crate) use regular::{open_plain, open_regular, read_plain, read_regular};
 pub(crate) use temporary::{TemporaryFolder, new_temporary, remove_temporaries, sweep_temporaries};

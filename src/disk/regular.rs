@@ -48,7 +48,7 @@ pub(super) fn open_found(path: &Path, found: &Metadata) -> io::Result<(File, Met
     Ok((file, opened))
 }
 
-fn read_bounded(file: File, length: u64, most: u64) -> io::Result<Vec<u8>> {
+pub(super) fn read_bounded(file: impl Read, length: u64, most: u64) -> io::Result<Vec<u8>> {
     let too_large = |length: u64| {
         let message = format!("it has {} MB, {} MB are the most that is read", length >> 20, most >> 20);
         io::Error::new(io::ErrorKind::FileTooLarge, message)

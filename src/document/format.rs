@@ -5,6 +5,7 @@ use std::path::Path;
 use super::node::Node;
 use super::tree::Flaw;
 use super::typed::Mismatch;
+use crate::disk::unpacked_name;
 
 /// How a document is spelled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,10 +30,12 @@ pub(super) struct Refusal {
 }
 
 impl Format {
-    /// By the extension: `.json`, `.geojson` and those of energy models are JSON, everything else YAML (of which JSON is a part).
+    /// By the extension: `.json`, `.geojson` and those of energy models are JSON, everything else YAML (of which JSON is a part);
+    /// of what is packed, that before `.gz`.
     #[must_use]
     pub fn of(file: &Path) -> Self {
-        let extension = file.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+        let extension =
+            unpacked_name(file).extension().and_then(|extension| extension.to_str()).unwrap_or_default();
         let is_json =
             ["json", "geojson", "dfjson", "hbjson"].iter().any(|known| extension.eq_ignore_ascii_case(known));
         if is_json { Self::Json } else { Self::Yaml }

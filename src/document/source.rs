@@ -18,7 +18,7 @@ use super::keys::top_keys;
 use super::limits::FILE_SIZE_LIMIT;
 use super::tree::{Flaw, Tree};
 use super::typed::typed;
-use crate::disk::open_regular;
+use crate::disk::open_unpacked;
 
 /// The text of a file, kept while its meaning is checked. The places of its values are worked out when
 /// the first fault asks for them.
@@ -37,11 +37,11 @@ impl Source {
         Self { file: file.to_owned(), text: text.to_owned(), tree: OnceLock::new(), lines: OnceLock::new() }
     }
 
-    /// Reads a file.
+    /// Reads a file; one that is packed with gzip as what it holds.
     ///
     /// # Errors
     /// A fault of the file as a whole: missing, a folder, a pipe or device (which might hang), not readable, larger than [`FILE_SIZE_LIMIT`]
-    /// (which is found out before reading), not UTF-8.
+    /// (which is found out before reading, or, of what is packed, before more is unpacked), not UTF-8.
     pub fn read(path: &Path) -> Result<Self, Faults> {
         let text = read_text(path)?;
         Ok(Self { file: path.to_owned(), text, tree: OnceLock::new(), lines: OnceLock::new() })
@@ -196,12 +196,12 @@ fn read_bytes(path: &Path) -> Result<Vec<u8>, Faults> {
     if path.is_dir() {
         return Err(Fault::of_file(path, "is a folder, a file is needed here").into());
     }
-    let (file, metadata) = open_regular(path).map_err(|error| refuse(&error))?;
+    let (file, metadata) = open_unpacked(path).map_err(|error| refuse(&error))?;
     if metadata.len() > FILE_SIZE_LIMIT {
         return Err(too_large(path, metadata.len()).into());
     }
     let mut bytes = Vec::new();
-    // A file may grow while it is read.
+    // A file may grow while it is read, and what it holds be larger than the file.
     file.take(FILE_SIZE_LIMIT + 1).read_to_end(&mut bytes).map_err(|error| refuse(&error))?;
     if bytes.len() as u64 > FILE_SIZE_LIMIT {
         return Err(too_large(path, bytes.len() as u64).into());
@@ -219,6 +219,9 @@ fn unreadable(path: &Path, error: &std::io::Error) -> Fault {
         }
         ErrorKind::InvalidInput => {
             (format!("cannot be read: {error}"), "copy its content into a file, and name that file")
+        }
+        ErrorKind::UnexpectedEof | ErrorKind::InvalidData => {
+            (format!("cannot be unpacked: {error}"), "it is cut off or damaged: fetch it again")
         }
         _ => (format!("cannot be read: {error}"), "check the path"),
     };

@@ -8,6 +8,7 @@ use super::book::{EditBook, ObjectEdit};
 use super::file::{EditsFile, ObjectEntry, RoomEntry, VERSION};
 use crate::catalog::Catalog;
 use crate::contract::ObjectId;
+use crate::disk::unpacked_name;
 use crate::document::{
     Fault, FaultSeverity, Faults, PathStep, Source, bounded, did_you_mean, first_of_each_kind,
 };
@@ -19,7 +20,7 @@ pub const EDITS_ENDING: &str = ".edits.yaml";
 /// The edits file of a plan or project: `house.edits.yaml` beside `house.yaml` or the folder `house`.
 #[must_use]
 pub fn edits_path(plan: &Path) -> PathBuf {
-    let stem = if plan.is_dir() { plan.file_name() } else { plan.file_stem() };
+    let stem = if plan.is_dir() { plan.file_name() } else { unpacked_name(plan).file_stem() };
     let mut name = stem.unwrap_or_default().to_owned();
     name.push(EDITS_ENDING);
     plan.with_file_name(name)

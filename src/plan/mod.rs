@@ -57,7 +57,7 @@ pub use read::{
 };
 #[cfg(test)]
 pub(crate) use read::{PlanFile, ProjectFile};
-pub(crate) use read::{PlannedSite, SiteNotes, finish_draft, id_taken, read_and_plan};
+pub(crate) use read::{PlannedSite, SiteNotes, finish_draft, id_taken, plan_outlines};
 pub use report::{BuildingReport, InputReport, LevelReport, Share};
 pub use room_ref::RoomRef;
 pub use shared::Shared;

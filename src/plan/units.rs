@@ -126,13 +126,19 @@ impl LocalPlane {
 
     /// A place in degrees on the plane.
     pub(crate) fn project(&self, longitude: f64, latitude: f64) -> Point {
-        Point::new(longitude - self.longitude, latitude - self.latitude) * self.scale
+        Point::new(short_way(longitude - self.longitude), latitude - self.latitude) * self.scale
     }
 
     /// A place on the plane in degrees: the way back.
     pub(crate) fn degrees(&self, place: Point) -> Point {
-        Point::new(self.longitude, self.latitude) + place / self.scale
+        let degrees = Point::new(self.longitude, self.latitude) + place / self.scale;
+        Point::new(short_way(degrees.x), degrees.y)
     }
+}
+
+/// Degrees of longitude the short way round the earth: a town may lie on both sides of the line where 180° east is 180° west.
+fn short_way(degrees: f64) -> f64 {
+    if degrees.abs() > 180.0 { degrees - 360.0_f64.copysign(degrees) } else { degrees }
 }
 
 #[cfg(test)]
@@ -145,6 +151,17 @@ mod tests {
         for broken in [0.0, -1.0, f64::NAN, f64::INFINITY] {
             assert_eq!(metres_per_pixel(broken), None);
         }
+    }
+
+    #[test]
+    fn a_town_may_lie_on_both_sides_of_the_line_of_the_date() {
+        let plane = LocalPlane::at(179.9999, -16.8).unwrap();
+        let east_of_the_line = plane.project(-179.9999, -16.8);
+        assert!(
+            (east_of_the_line.x - 21.3).abs() < 0.1 && east_of_the_line.y.abs() < 1e-9,
+            "{east_of_the_line}"
+        );
+        assert!((plane.degrees(east_of_the_line).x + 179.9999).abs() < 1e-9);
     }
 
     #[test]

@@ -1,5 +1,8 @@
 //! `plan`, and `bake` of a map of outlines: files, choices, faults.
 
+use std::io::Write;
+
+use flate2::{Compression, write::GzEncoder};
 use serde_json::Value;
 
 use super::world::World;
@@ -49,6 +52,46 @@ fn a_map_that_is_not_there_is_told_as_such() {
     let told = World::new().run(&["plan", "town.geojson", "--out", "plans"]);
     assert_eq!(told.code, Some(2));
     assert!(told.stderr.contains("there is no such file"), "{}", told.stderr);
+}
+
+#[test]
+fn what_is_no_map_is_told_by_name() {
+    let world = World::new();
+    for (name, bytes, told) in [
+        ("a.zip", &b"PK\x03\x04"[..], "looks like a ZIP archive"),
+        ("a.geojson", b"\xff\xfe{\0", "is text in UTF-16"),
+        ("a.json", br#"{"type": "Topology"}"#, "GeoJSON features, CityJSON and OpenStreetMap"),
+        // Packed, as its first bytes say, and nothing else.
+        ("a.gz", b"\x1f\x8b\x08", "looks like a compressed file"),
+    ] {
+        world.write(name, bytes);
+        let run = world.run(&["plan", name, "--out", "plans"]);
+        assert_eq!(run.code, Some(2), "{name}: {}", run.stderr);
+        assert!(run.stderr.contains(told), "{name}: {}", run.stderr);
+    }
+}
+
+#[test]
+fn a_packed_map_is_planned_as_what_it_holds() {
+    let world = World::new();
+    let map = house("way/1", 13.4);
+    let mut packed = GzEncoder::new(Vec::new(), Compression::default());
+    packed.write_all(map.as_bytes()).unwrap();
+    let packed = packed.finish().unwrap();
+    world.write("town.geojson", map);
+    world.write("town.geojson.gz", &packed);
+    world.write("cut.geojson.gz", &packed[..packed.len() - 9]);
+    world.must(&["plan", "town.geojson", "--out", "plans"]);
+    world.must(&["plan", "town.geojson.gz", "--out", "of-packed"]);
+    assert_eq!(world.read("plans/w1.yaml"), world.read("of-packed/w1.yaml"));
+    let run = world.run(&["plan", "cut.geojson.gz", "--out", "cut"]);
+    assert_eq!(run.code, Some(2), "{}", run.stderr);
+    assert!(
+        run.stderr.contains("cannot be unpacked") && run.stderr.contains("fetch it again"),
+        "{}",
+        run.stderr
+    );
+    assert!(!world.path("cut").exists());
 }
 
 #[test]

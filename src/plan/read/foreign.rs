@@ -1,11 +1,11 @@
 //! Code that the readers of foreign formats share.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::io::Read;
+use std::io::{self, Read};
 use std::path::Path;
 
 use super::native::number_of_id;
-use crate::disk::open_regular;
+use crate::disk::{open_regular, open_unpacked, unpacked_name};
 use crate::document::{Faults, suggest};
 use crate::plan::{GENERIC_ROOM_TYPE, RoomDraft};
 
@@ -15,11 +15,16 @@ pub(super) const WIDEST_LEAF: f64 = 1.6;
 /// Unknown room words that are reported one by one.
 const TOLD_WORDS: usize = 20;
 
-/// The first bytes of a file; none if it cannot be read or is none, as a pipe, which might hang.
+/// The first bytes of a file, or of what it holds, packed; none if it cannot be read or is none, as a pipe, which might hang.
 pub(super) fn head(path: &Path, size: u64) -> Vec<u8> {
+    let unpacked = open_unpacked(path).and_then(|(file, _)| first(file, size));
+    // What begins as if it were packed is what its bytes are.
+    unpacked.or_else(|_| open_regular(path).and_then(|(file, _)| first(file, size))).unwrap_or_default()
+}
+
+fn first(file: impl Read, size: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    let read = open_regular(path).and_then(|(file, _)| file.take(size).read_to_end(&mut bytes));
-    if read.is_ok() { bytes } else { Vec::new() }
+    file.take(size).read_to_end(&mut bytes).map(|_| bytes)
 }
 
 /// The room type that a word means.
@@ -139,7 +144,7 @@ pub(super) fn slug(name: &str) -> String {
 
 /// The id of a building that only its file names; `otherwise` for a name without a Latin letter or digit.
 pub(super) fn id_of_file(path: &Path, otherwise: &str) -> String {
-    let id = slug(&path.file_stem().unwrap_or_default().to_string_lossy());
+    let id = slug(&unpacked_name(path).file_stem().unwrap_or_default().to_string_lossy());
     if id.is_empty() { otherwise.to_owned() } else { id }
 }
 

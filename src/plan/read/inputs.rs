@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::nothing;
 use super::reader::ForeignFormat;
 use super::readers::FOREIGN_FORMATS;
+use crate::disk::unpacked_name;
 use crate::document::{Fault, Faults};
 
 /// Deepest folder that is looked into.
@@ -130,7 +131,8 @@ fn walk(folder: &Path, depth: usize, found: &mut Found) {
 }
 
 fn has_native_extension(path: &Path) -> bool {
-    let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+    let extension =
+        unpacked_name(path).extension().and_then(|extension| extension.to_str()).unwrap_or_default();
     NATIVE_EXTENSIONS.iter().any(|known| extension.eq_ignore_ascii_case(known))
 }
 

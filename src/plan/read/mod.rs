@@ -54,7 +54,7 @@ use self::fit_ids::{fit_building_id, fit_ids};
 pub(crate) use self::footprint::{Projection, SiteNotes, code_of};
 use self::inputs::{Input, find_inputs};
 use self::native::{NativeDraft, read_native};
-pub(crate) use self::outlines::{PlannedSite, read_and_plan};
+pub(crate) use self::outlines::PlannedSite;
 pub use self::reader::ReadFormat;
 use self::reader::{DraftedBuilding, ReadBuildings};
 use self::readers::FOREIGN_FORMATS;
@@ -257,6 +257,22 @@ struct Drafts {
     /// The furniture that is kept, if the reader read it on the way.
     furniture: Option<Vec<DrawnPiece>>,
     is_project: bool,
+}
+
+/// Reads a map and plans the buildings that are chosen, in parallel.
+///
+/// # Errors
+/// The faults of the file, what it is where it is no map, and choices that leave no building.
+pub(crate) fn plan_outlines(path: &Path, options: &PlanOptions<'_>) -> Result<PlannedSite, Faults> {
+    if (outlines::FORMAT.recognises)(path) || !path.exists() {
+        return outlines::read_and_plan(path, options);
+    }
+    let refusal = unread::refusal(path).unwrap_or_else(|| {
+        Fault::of_file(path, "is no map of building outlines").with_hint(
+            "maps are GeoJSON features, CityJSON and OpenStreetMap; `bake` and `import` read plans",
+        )
+    });
+    Err(refusal.into())
 }
 
 /// Reads a plan of any format.

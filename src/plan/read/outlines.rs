@@ -51,7 +51,7 @@ pub(crate) struct PlannedSite {
 ///
 /// # Errors
 /// The faults of the file, and choices that leave no building.
-pub(crate) fn read_and_plan(path: &Path, options: &PlanOptions<'_>) -> Result<PlannedSite, Faults> {
+pub(super) fn read_and_plan(path: &Path, options: &PlanOptions<'_>) -> Result<PlannedSite, Faults> {
     let Some(planning) = options.planning else {
         let message = "is a map of outlines, and there are no kinds of buildings to plan them by";
         return Err(Fault::of_file(path, message).into());

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::foreign::head;
 use super::geojson::RECORD_SEPARATOR;
+use crate::disk::unpacked_name;
 use crate::document::top_keys;
 
 /// The parts of a file that recognition looks at.
@@ -26,7 +27,8 @@ impl Sample {
 
     /// Of the first bytes of a file.
     pub(super) fn of(path: &Path, head: Vec<u8>) -> Self {
-        let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
+        let extension =
+            unpacked_name(path).extension().and_then(|extension| extension.to_str()).unwrap_or_default();
         let text = String::from_utf8_lossy(&head);
         let text = text.trim_start_matches(['\u{feff}', RECORD_SEPARATOR]).trim_start().to_owned();
         Self { extension: extension.to_ascii_lowercase(), keys: top_keys(&text), text, head }

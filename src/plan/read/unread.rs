@@ -32,6 +32,7 @@ pub(crate) const UNREAD_KINDS: &[UnreadKind] = &[
     kind("IFC in a ZIP archive (.ifczip)", |file| file.is_of(&["ifczip"]), UNPACK),
     kind("a USD archive (.usdz)", |file| file.is_of(&["usdz"]), "it is what convert.py writes, no plan"),
     kind("a ZIP archive", |file| file.begins(b"PK\x03\x04") || file.begins(b"PK\x05\x06"), UNPACK),
+    kind("a TAR archive", |file| file.head.get(257..).is_some_and(|rest| rest.starts_with(b"ustar")), UNPACK),
     kind(
         "a compressed file",
         |file| file.begins(b"\x1f\x8b") || file.begins(b"7z\xbc\xaf") || file.begins(b"BZh"),

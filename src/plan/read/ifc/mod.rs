@@ -56,6 +56,7 @@ mod tests;
 use std::path::Path;
 
 use super::foreign::head;
+use crate::disk::unpacked_name;
 use crate::document::{Fault, Faults, Source};
 use crate::plan::read::drawn::DrawnPiece;
 use crate::plan::read::reader::{ForeignFormat, ReadBuildings, ReadFormat, ReadResult};
@@ -91,7 +92,7 @@ fn recognises(path: &Path) -> bool {
     if path.is_dir() {
         return false;
     }
-    if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(NAME)) {
+    if unpacked_name(path).extension().is_some_and(|extension| extension.eq_ignore_ascii_case(NAME)) {
         return true;
     }
     let head = head(path, HEAD_SIZE);
@@ -138,6 +139,7 @@ fn open(path: &Path) -> Result<(Model, String, Faults), Faults> {
         let message = format!("schema \"{}\" is not read", schemas.join("\", \""));
         return Err(Fault::of_file(path, message).with_hint("export it as IFC2X3 or IFC4").into());
     }
-    let name = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    let name =
+        unpacked_name(path).file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     Ok((model, name, faults))
 }

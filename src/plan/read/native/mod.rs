@@ -17,6 +17,7 @@ mod scope;
 mod styles;
 mod units;
 
+use crate::disk::unpacked_name;
 use crate::document::{Faults, Source, suggest};
 use crate::plan::{BuildingDraft, RoomWords};
 
@@ -72,7 +73,8 @@ pub(crate) fn may_be_plan(source: &Source) -> bool {
 }
 
 fn building_id(file: &PlanFile, report: &mut Report<'_>) -> String {
-    let stem = report.source().file().file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let stem =
+        unpacked_name(report.source().file()).file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let id = file.id.clone().unwrap_or(stem);
     if let Some(message) = id_fault(&id, FILE_NAME_FORBIDDEN) {
         let hint = match file.id {

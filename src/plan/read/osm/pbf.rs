@@ -11,7 +11,7 @@ use flate2::read::ZlibDecoder;
 
 use super::elements::{Body, Element, ElementKind, Elements, Member, Pairs};
 use super::wire::{Damaged, Fields, Numbers, Value, signed, summed};
-use crate::disk::read_regular;
+use crate::disk::read_unpacked;
 use crate::document::{FILE_SIZE_LIMIT, Fault, Faults};
 use crate::geometry::Point;
 
@@ -50,7 +50,7 @@ impl PbfFile {
     /// A file that cannot be read, or is too large.
     pub(in crate::plan::read) fn open(path: &Path) -> Result<Self, Faults> {
         let bytes =
-            read_regular(path, FILE_SIZE_LIMIT).map_err(|error| Fault::of_file(path, error.to_string()))?;
+            read_unpacked(path, FILE_SIZE_LIMIT).map_err(|error| Fault::of_file(path, error.to_string()))?;
         Ok(Self { path: path.to_owned(), bytes })
     }
 

@@ -1,14 +1,13 @@
 //! The records of a table, one after the other, however large the file is.
 
 use std::cell::Cell;
-use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 use std::rc::Rc;
 
 use csv::{ByteRecord, Reader, ReaderBuilder};
 
-use crate::disk::open_regular;
+use crate::disk::open_unpacked;
 use crate::document::{Fault, Faults};
 
 /// Bytes of the longest record: a floor of a hundred thousand corners is a tenth of it. What is longer has a quote that is not
@@ -30,7 +29,7 @@ impl Records {
     pub(super) fn open(path: &Path) -> Result<(Self, ByteRecord), Faults> {
         let unreadable =
             |error: io::Error| Faults::from(Fault::of_file(path, format!("cannot be read: {error}")));
-        let (file, _) = open_regular(path).map_err(unreadable)?;
+        let (file, _) = open_unpacked(path).map_err(unreadable)?;
         let allowance = Rc::new(Cell::new(LONGEST_RECORD));
         let bounded = Bounded { file, allowance: Rc::clone(&allowance) };
         // Rows of other lengths are faults with a line, not the end of the file.
@@ -65,7 +64,7 @@ pub(super) fn line_of(record: &ByteRecord) -> usize {
 
 /// A file of which no record may be longer than [`LONGEST_RECORD`].
 struct Bounded {
-    file: File,
+    file: Box<dyn Read>,
     allowance: Rc<Cell<u64>>,
 }
 
