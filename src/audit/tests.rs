@@ -42,7 +42,6 @@ fn the_time_of_a_verdict_grows_as_the_pieces_do() {
         };
         // From where a heap has as many neighbours as are looked at.
         let power = growth(240, 4, 1.3, furnish, judge);
-
         assert!(power < 1.3, "heap: {is_heap}: {power}");
     }
 }
