@@ -10,7 +10,7 @@ const LONG: f64 = 0.8;
 /// How many times as long as the other axis one is, where people look along it wherever they come in.
 const CLEARLY_LONGER: f64 = 1.2;
 /// Metres by which one length must be more than another to count as longer: no last digit decides.
-const LONGER: f64 = 1e-3;
+pub(crate) const LONGER: f64 = 1e-3;
 
 /// The line along a direction in the middle of where an outline is longest, from its end that comes first in that direction.
 ///

@@ -21,6 +21,7 @@ pub use disjoint_sets::DisjointSets;
 pub use extent::{Side, Size};
 pub use grid::Grid;
 pub use interval::Intervals;
+pub(crate) use long_axis::LONGER;
 pub use long_axis::main_axis;
 pub use polygon::{CORNER_TOLERANCE, Polygon, PolygonFault, Region, ring_contains, signed_area};
 pub(crate) use segment::ray_hit;

@@ -1,10 +1,7 @@
 //! The long axis of a room, from the end where people come in to the end that they look at.
 
 use super::{Opening, OpeningKind, Room};
-use crate::geometry::{Point, Segment, main_axis};
-
-/// Metres by which one length must be more than another to count as longer: no last digit decides.
-const LONGER: f64 = 1e-3;
+use crate::geometry::{LONGER, Point, Segment, main_axis};
 
 impl Room {
     /// The line along which the room is longest, in the middle of its width. It ends where doors are farthest: people look there.
