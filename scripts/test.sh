@@ -16,14 +16,13 @@ log=$work/log
 passed=0
 failed=0
 step_name=
-# What is tested as users run it, and the process of `start_release_build`, while it runs.
-release_tests=(--test command_line --test end_to_end --test faults --test kill --test properties)
-release_build=
+# The process of `start_hostile`, while it runs.
+hostile=
 started=$SECONDS
 
 finish() {
   local status=$?
-  [ -z "$release_build" ] || kill "$release_build" 2>/dev/null || true
+  [ -z "$hostile" ] || kill "$hostile" 2>/dev/null || true
   if [ "$status" -ne 0 ] && [ -n "$step_name" ]; then
     [ "$failed" -gt 0 ] || failed=1
     printf '\nFAILED: %s\n' "$step_name"
@@ -71,17 +70,17 @@ checked() {
   passed=$((passed + 1))
 }
 
-# The release build goes beside the checks in debug: a quarter of the time of either has work for one processor only.
-start_release_build() {
-  cargo test --release --locked --no-run "${release_tests[@]}" >"$work/release-build" 2>&1 &
-  release_build=$!
+# Hostile inputs, which one processor reads: beside the release build, much of which has work for one.
+start_hostile() {
+  cargo test --locked --test fuzz >"$work/hostile" 2>&1 &
+  hostile=$!
 }
 
-finish_release_build() {
+finish_hostile() {
   local status=0
-  wait "$release_build" || status=$?
-  release_build=
-  [ "$status" -eq 0 ] || cat "$work/release-build"
+  wait "$hostile" || status=$?
+  hostile=
+  counted cat "$work/hostile"
   return "$status"
 }
 
@@ -177,7 +176,6 @@ step "Python environment" set_up_python
 step "Khronos validator" set_up_validator
 step "mypy" checked .venv/bin/python -m mypy
 step "cargo fmt" checked cargo fmt --check
-start_release_build
 step "cargo clippy" checked cargo clippy --all-targets --locked -- -D warnings
 step "cargo check (without the command)" checked cargo check --no-default-features --lib --locked
 step "cargo doc" checked env RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --locked --document-private-items
@@ -186,11 +184,12 @@ step "cargo doc" checked env RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --lo
 step "cargo test (debug)" counted cargo test --locked --lib --test plan --test scene
 step "cargo test (debug, pinned levels)" counted cargo test --locked --test command_line pinned
 step "cargo test (documentation)" counted cargo test --locked --doc
-step "cargo test (debug, hostile inputs)" counted cargo test --locked --test fuzz
+start_hostile
 # Optimised: what users run. The library's own tests, and those of single stages, ran in debug; to build them once more takes as
 # long as all the others.
-step "Release build" finish_release_build
-step "cargo test (release)" counted cargo test --release --locked "${release_tests[@]}"
+step "cargo test (release)" counted cargo test --release --locked \
+  --test command_line --test end_to_end --test faults --test kill --test properties
+step "cargo test (debug, hostile inputs)" finish_hostile
 step "cargo build" cargo build --locked
 step "The demo, twice" checked bake_twice
 step "validate.py" checked .venv/bin/python scripts/validate.py "$work/release"

@@ -6,6 +6,7 @@
 #![allow(clippy::unwrap_used, clippy::print_stdout, unreachable_pub)]
 
 mod contract;
+mod parking;
 mod pipeline;
 mod read_back;
 
