@@ -1,7 +1,7 @@
 //! Code that the readers of foreign formats share.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::io::{self, Read};
+use std::io::Read;
 use std::path::Path;
 
 use super::native::number_of_id;
@@ -15,16 +15,22 @@ pub(super) const WIDEST_LEAF: f64 = 1.6;
 /// Unknown room words that are reported one by one.
 const TOLD_WORDS: usize = 20;
 
-/// The first bytes of a file, or of what it holds, packed; none if it cannot be read or is none, as a pipe, which might hang.
+/// The first bytes of a file, or of what it holds, packed, as far as they can be read; none if it is no file, as a pipe, which might
+/// hang.
 pub(super) fn head(path: &Path, size: u64) -> Vec<u8> {
-    let unpacked = open_unpacked(path).and_then(|(file, _)| first(file, size));
-    // What begins as if it were packed is what its bytes are.
-    unpacked.or_else(|_| open_regular(path).and_then(|(file, _)| first(file, size))).unwrap_or_default()
+    let unpacked = open_unpacked(path).map(|(file, _)| first(file, size)).unwrap_or_default();
+    if !unpacked.is_empty() {
+        return unpacked;
+    }
+    // What begins as if it were packed, and is not.
+    open_regular(path).map(|(file, _)| first(file, size)).unwrap_or_default()
 }
 
-fn first(file: impl Read, size: u64) -> io::Result<Vec<u8>> {
+/// The first bytes, up to where they can be read: a map that is cut off is one, and its reader says what is wrong with it.
+fn first(file: impl Read, size: u64) -> Vec<u8> {
     let mut bytes = Vec::new();
-    file.take(size).read_to_end(&mut bytes).map(|_| bytes)
+    file.take(size).read_to_end(&mut bytes).unwrap_or_default();
+    bytes
 }
 
 /// The room type that a word means.
