@@ -41,7 +41,7 @@ fn the_time_of_a_verdict_grows_as_the_pieces_do() {
             drop(crate::solve::judge_room(room.level.room(0), &furnished, &room.catalog));
         };
         // From where a heap has as many neighbours as are looked at.
-        let power = growth(240, 4, 1.3, furnish, judge);
+        let power = growth(480, 4, 1.3, furnish, judge);
         assert!(power < 1.3, "heap: {is_heap}: {power}");
     }
 }

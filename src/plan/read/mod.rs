@@ -264,15 +264,8 @@ struct Drafts {
 /// # Errors
 /// The faults of the file, what it is where it is no map, and choices that leave no building.
 pub(crate) fn plan_outlines(path: &Path, options: &PlanOptions<'_>) -> Result<PlannedSite, Faults> {
-    if (outlines::FORMAT.recognises)(path) || !path.exists() {
-        return outlines::read_and_plan(path, options);
-    }
-    let refusal = unread::refusal(path).unwrap_or_else(|| {
-        Fault::of_file(path, "is no map of building outlines").with_hint(
-            "maps are GeoJSON features, CityJSON and OpenStreetMap; `bake` and `import` read plans",
-        )
-    });
-    Err(refusal.into())
+    let refusal = if (outlines::FORMAT.recognises)(path) { None } else { unread::refusal(path) };
+    refusal.map_or_else(|| outlines::read_and_plan(path, options), |fault| Err(fault.into()))
 }
 
 /// Reads a plan of any format.

@@ -77,7 +77,12 @@ pub(crate) fn read_site(path: &Path) -> Result<ReadSite, Faults> {
         Some(FootprintFormat::OsmPbf) => osm::read_pbf(path)?,
         // What is not there is told as everywhere.
         None if !path.exists() => return Err(Source::read(path).err().unwrap_or_default()),
-        None => return Err(Fault::of_file(path, "is no map of building footprints").into()),
+        None => {
+            let fault = Fault::of_file(path, "is no map of building footprints");
+            let hint =
+                "maps are GeoJSON features, CityJSON and OpenStreetMap; `bake` and `import` read plans";
+            return Err(fault.with_hint(hint).into());
+        }
     };
     site::site_of(drawing, notes, path)
 }
