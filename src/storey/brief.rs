@@ -105,16 +105,20 @@ pub(super) fn briefs<'a>(
     };
     let mut briefs: Vec<Brief<'a>> = Vec::new();
     for names in uses.iter().filter_map(|name| Some(&typologies.uses.get(name)?.typologies)) {
-        let mut fitting: Vec<(f64, Brief<'a>)> = names
+        let mut fitting: Vec<((bool, f64), Brief<'a>)> = names
             .iter()
             .filter_map(|name| typologies.typologies.get_key_value(name))
             .map(|entry| {
                 let brief = brief(entry, &mut stream);
-                (stream.between(0.0, brief.typology.weight), brief)
+                let (least, most) = brief.typology.usual_area;
+                let is_usual = (least..=most).contains(&measures.area);
+                ((is_usual, stream.between(0.0, brief.typology.weight)), brief)
             })
             .filter(|(_, brief)| brief.fits(measures))
             .collect();
-        fitting.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.name.cmp(b.1.name)));
+        fitting.sort_by(|((is_usual, a), first), ((other_usual, b), second)| {
+            other_usual.cmp(is_usual).then(b.total_cmp(a)).then(first.name.cmp(second.name))
+        });
         briefs.extend(fitting.into_iter().map(|(_, brief)| brief));
     }
     // What no kind of its use can be is one open hall.

@@ -4,10 +4,12 @@ use crate::geometry::Point;
 use crate::layout::seed::Stream;
 
 use super::disc::{is_as_wide_as, is_simple};
+use super::ends::{self, Middle};
 use super::fill::{
     DOOR_STRETCH, Filling, Floor, LIGHT_EACH, Slice, WINDOW_STRETCH, Wanted, Wish, fill, needed,
 };
 use super::hall::Hall;
+use super::links::room_at;
 use super::ring::{Axis, Ring, area, bounds, join, shared_length, split, total_length};
 use super::spine::{
     Band, Fixed, FixedKind, Ground, Row, Spine, StripRoom, extent, settle, trim, turned_ring_back,
@@ -21,6 +23,8 @@ pub(super) const MOST_PROGRAMMES: usize = 4;
 const TRIES: u32 = 6;
 /// Plans that are drawn of the best fillings until one is sound.
 const DRAWN: usize = 8;
+/// The same where rooms lie at the ends of the strip: fewer of them are sound, for outlines are narrow and crooked there.
+const DRAWN_WITH_ENDS: usize = 24;
 /// Metres of the half of a way in.
 const PORT_HALF: f64 = 0.7;
 /// Metres beyond the ground at which a strip along its edge begins: outlines are not quite straight.
@@ -77,6 +81,8 @@ pub(super) struct Scheme {
     is_turned: bool,
     low: f64,
     high: f64,
+    /// From where to where the strip reaches, where rooms lie at its ends.
+    reach: Option<(f64, f64)>,
     stairs: Option<Stairs>,
 }
 
@@ -166,6 +172,65 @@ impl<'a> Strips<'a> {
         }
         found
     }
+
+    /// The ways to divide the ground of a task with rooms at the ends of a strip.
+    pub(super) fn divisions_with_ends(&self, task: Task<'_>) -> Vec<Division> {
+        let mut found = Vec::new();
+        for is_turned in [false, true] {
+            let port = task.port.map(|port| if is_turned { port.turned() } else { port });
+            let middles = port.map(|port| ends::middles(self.side(is_turned), port, task.has_stairs));
+            let divided = |middle: &Middle| self.divided(middle, is_turned);
+            found.extend(middles.unwrap_or_default().iter().flat_map(divided));
+        }
+        found
+    }
+
+    /// How levels may be divided that are above one.
+    fn divisions_above(&mut self, below: &Scheme) -> Vec<Division> {
+        match (below.reach, below.stairs) {
+            (Some(_), Some(Stairs::InRow(stairs))) => {
+                let middles = ends::alike(self.side(below.is_turned), (below.low, below.high), stairs);
+                middles.iter().flat_map(|middle| self.divided(middle, below.is_turned)).collect()
+            }
+            _ => {
+                let spine = self.spine(below, &[]);
+                spine.map(|spine| Division { scheme: below.clone(), spine }).into_iter().collect()
+            }
+        }
+    }
+
+    /// The ways to divide the ground by a strip with rooms at its ends: one for each place of stairs, or one without.
+    fn divided(&self, middle: &Middle, is_turned: bool) -> Vec<Division> {
+        let ground = self.side(is_turned);
+        let Middle { heights: (low, high), reach, stairs } = middle;
+        let cut = ends::Parts::cut(ground, *reach).and_then(|parts| {
+            let band = Band::cut(&parts.middle, (*low, *high))?;
+            let rows = parts.rows(band.strip(), ground)?;
+            Some((parts, band, rows))
+        });
+        let Some((parts, mut band, ends)) = cut else { return Vec::new() };
+        let is_without = stairs.is_empty().then_some(None);
+        let places = stairs.iter().copied().map(Some).chain(is_without);
+        let divided = |stairs: Option<Fixed>| {
+            let (is_turned, low, high, reach) = (is_turned, *low, *high, Some(*reach));
+            let scheme = Scheme { is_turned, low, high, reach, stairs: stairs.map(Stairs::InRow) };
+            let mut spine = spine_of(&parts.middle, &mut band, &scheme, &[])?;
+            spine.rows.extend(ends.iter().cloned());
+            Some(Division { scheme, spine })
+        };
+        places.filter_map(divided).collect()
+    }
+}
+
+impl Scheme {
+    /// Whether levels above both are the same: with rooms at the ends of the strip, the place of the stairs says what they may be.
+    fn is_alike(&self, other: &Self) -> bool {
+        let place = |scheme: &Self| match (scheme.reach, scheme.stairs) {
+            (Some(_), Some(Stairs::InRow(stairs))) => Some((scheme.is_turned, scheme.low, stairs)),
+            _ => None,
+        };
+        place(self).is_some() && place(self) == place(other)
+    }
 }
 
 /// The best plans of a level, the best first, so many at most; empty if none is sound.
@@ -214,12 +279,16 @@ pub(super) fn plan_alike(
     stream: &mut Stream,
 ) -> Vec<Planned> {
     let wishes = wishes(task);
-    let Some(spine) = strips.spine(scheme, &[]) else { return Vec::new() };
-    let floor = Floor { rows: &spine.rows, hall: None };
     let rooms = with_and_without_last(&wishes);
-    let Some(filling) = fill_or_more(floor, &rooms, 4 * TRIES, stream) else { return Vec::new() };
-    let division = Division { scheme: scheme.clone(), spine };
-    draw_best(task, vec![(filling.cost, &division, filling)], &wishes, 1)
+    let divisions = strips.divisions_above(scheme);
+    let mut drafts = Vec::new();
+    for division in &divisions {
+        let floor = Floor { rows: &division.spine.rows, hall: None };
+        let tries = if division.scheme.reach.is_some() { TRIES } else { 4 * TRIES };
+        let filling = fill_or_more(floor, &rooms, tries, stream);
+        drafts.extend(filling.map(|filling| (filling.cost, division, filling)));
+    }
+    draw_best(task, drafts, &wishes, 1)
 }
 
 fn draw_best(
@@ -229,11 +298,19 @@ fn draw_best(
     wanted: usize,
 ) -> Vec<Planned> {
     drafts.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let drawn = drafts.into_iter().take(DRAWN.max(wanted));
-    let mut plans: Vec<Planned> = drawn
-        .filter_map(|(_, division, filling)| draw(task, division.clone(), &filling, wishes))
-        .take(wanted)
-        .collect();
+    let mut plans: Vec<Planned> = Vec::new();
+    let has_ends = drafts.iter().any(|(_, division, _)| division.scheme.reach.is_some());
+    let mut rest = wanted.max(if has_ends { DRAWN_WITH_ENDS } else { DRAWN });
+    for (_, division, filling) in drafts {
+        if plans.len() >= wanted || rest == 0 {
+            break;
+        }
+        if plans.iter().any(|known| known.scheme.is_alike(&division.scheme)) {
+            continue;
+        }
+        rest -= 1;
+        plans.extend(draw(task, division.clone(), &filling, wishes));
+    }
     plans.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     plans
 }
@@ -353,12 +430,12 @@ fn schemes(
     let mut found = Vec::new();
     for ((low, high), ports) in strips {
         if !task.has_stairs {
-            found.push((Scheme { is_turned, low, high, stairs: None }, ports));
+            found.push((Scheme { is_turned, low, high, reach: None, stairs: None }, ports));
             continue;
         }
         let entry = port.map_or(ground_extent.0, |port| port.at.x);
         for (high, stairs) in stairs_beside((low, high), (bottom, top), ground_extent, entry) {
-            found.push((Scheme { is_turned, low, high, stairs: Some(stairs) }, ports.clone()));
+            found.push((Scheme { is_turned, low, high, reach: None, stairs: Some(stairs) }, ports.clone()));
         }
     }
     found
@@ -486,12 +563,19 @@ fn draw(
     let rules = if task.has_stairs { rules.with_fixed("stairs") } else { rules };
     trade_thin_parts(&mut planned, rules);
     trade_strips(&mut planned, rules);
-    if !are_sound(task.ground, task.typologies, &planned) {
+    if !are_sound(task.ground, task.typologies, &planned) || !leads_on(task, &planned) {
         return None;
     }
     let hall_share = area(&hall) / area(&task.ground.ring);
     let cost = filling.cost + HALL_COST * hall_share;
     Some(Planned { cells: planned, scheme, cost })
+}
+
+/// Whether people come into a room from which they may go on.
+fn leads_on(task: Task<'_>, cells: &[Cell]) -> bool {
+    let Some(room) = task.port.and_then(|port| room_at(cells, port)) else { return true };
+    let room_type = &cells[room].room_type;
+    room_type == task.hall || task.typologies.rooms.get(room_type).is_none_or(|needs| needs.passage)
 }
 
 /// Rooms of a row, of which small ones that may do without an outer wall end where they have what was wished for: a room beside

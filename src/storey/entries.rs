@@ -11,6 +11,7 @@ use super::house::outer_ports;
 use super::links::{Entry, Links, link, room_at};
 use super::ring::{area, bounds, longest};
 use super::spine::Ground;
+use super::typology::Light;
 
 /// Square metres from which on a room may have several ways out.
 const LARGE_ROOM: f64 = 250.0;
@@ -29,6 +30,9 @@ const LEAST_GATE: f64 = 2.0;
 const BEHIND_GATE: f64 = 4.4;
 /// Metres of wall from which on it has a place for a way out.
 const LEAST_WALL: f64 = 1.4;
+/// Metres from the middle of a way in to the nearest window, and of wall that a window needs.
+const BESIDE_DOOR: f64 = 0.9;
+const LEAST_WINDOW: f64 = 0.9;
 /// Further ways out of a room at most.
 const MOST_WAYS_OUT: usize = 24;
 
@@ -156,11 +160,11 @@ fn ways_in(grounds: &[Ground], partition: &Partition<'_>) -> Vec<Entry> {
     // Nobody comes into a building through one of its flats.
     let has_hall = (0..cells.len()).any(|room| partition.is_public(room) && cells[room].room_type != STORE);
     let leads_on = |room: usize| partition.is_passage(room) && (!has_hall || partition.is_public(room));
-    let behind = |port: Port, may_be: &dyn Fn(usize) -> bool| {
-        let room = room_at(cells, port).filter(|&room| leads_on(room) && may_be(room))?;
+    let behind = |port: Port, may_be: &dyn Fn(usize, Port) -> bool| {
+        let room = room_at(cells, port).filter(|&room| leads_on(room) && may_be(room, port))?;
         Some(Entry { room, port })
     };
-    let first = |may_be: &dyn Fn(usize) -> bool| {
+    let first = |may_be: &dyn Fn(usize, Port) -> bool| {
         grounds.iter().flat_map(outer_ports).find_map(|port| behind(port, may_be))
     };
     // Where one room takes most of the floor, nobody comes in through its stores.
@@ -170,12 +174,27 @@ fn ways_in(grounds: &[Ground], partition: &Partition<'_>) -> Vec<Entry> {
     let is_store_of = |room: usize| cells[room].room_type == STORE && most.is_some_and(|most| most != room);
     // A building of one room, such as a shed, is entered where it has any wall to the open air.
     let any = || if is_single { free_wall(&grounds[0], partition, 0) } else { None };
-    first(&|room| !is_store_of(room))
+    first(&|room, port| !is_store_of(room) && keeps_light(&grounds[0], partition, room, port))
+        .or_else(|| first(&|room, _| !is_store_of(room)))
         .or_else(|| free_wall(&grounds[0], partition, most?))
-        .or_else(|| first(&|_| true))
+        .or_else(|| first(&|_, _| true))
         .or_else(any)
         .into_iter()
         .collect()
+}
+
+/// Whether a room that needs windows has a place for one beside a way in.
+fn keeps_light(ground: &Ground, partition: &Partition<'_>, room: usize, port: Port) -> bool {
+    let needs = partition.typologies.rooms.get(&partition.cells[room].room_type);
+    if needs.is_none_or(|needs| needs.light != Light::Required) {
+        return true;
+    }
+    partition.light(ground, room).iter().any(|wall| {
+        let at = (port.at - wall.start).dot(wall.direction());
+        let is_in_it = wall.distance(port.at) < ground.wall + 0.1;
+        let beside = if is_in_it { at.max(wall.length() - at) - BESIDE_DOOR } else { wall.length() };
+        beside >= LEAST_WINDOW
+    })
 }
 
 /// A way into a room from the open air: a gate, if it needs one that has a place, else a door.

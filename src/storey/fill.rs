@@ -328,17 +328,17 @@ impl<'a> Ways<'a> {
     /// What the slices of a row cost, from one on; `None` where one does not keep to what its room needs.
     fn judge_row(&mut self, row: usize, first: usize, scale: f64) -> Option<f64> {
         let Self { wishes, wants, places, slices, contacts, .. } = self;
-        let (wishes, Place { row, depth, .. }) = (*wishes, &places[row]);
-        let depth = *depth;
+        let (wishes, row) = (*wishes, places[row].row);
         let slices = &mut slices[first..];
-        let is_wide = |slice: &Slice| (slice.to - slice.from).min(depth) >= wants[slice.wish].least;
+        let depth = |slice: &Slice| row.depth_between(slice.from, slice.to);
+        let is_wide = |slice: &Slice| (slice.to - slice.from).min(depth(slice)) >= wants[slice.wish].least;
         if !slices.iter().all(is_wide) {
             return None;
         }
         let mut cost = 0.0;
         let scale_cost = libm::log(scale).abs();
         for slice in &mut *slices {
-            let length = slice.to - slice.from;
+            let (length, depth) = (slice.to - slice.from, depth(slice));
             if wants[slice.wish].needs_light && row.light_between(slice.from, slice.to) < WINDOW_STRETCH {
                 return None;
             }

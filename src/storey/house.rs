@@ -8,7 +8,7 @@ use super::dwelling::{
 };
 use super::ring::area;
 use super::spine::Ground;
-use super::typology::Typologies;
+use super::typology::{Programme, Typologies};
 
 /// Plans of the ground floor that are tried until the floors above fit on one.
 const GROUND_PLANS: usize = 6;
@@ -27,51 +27,117 @@ pub(super) fn house(
     let has_stairs = brief.storeys > 1;
     let floor = area(&ground.ring) * if has_stairs { 0.9 } else { 1.0 };
     let list = |name: &Option<String>| name.as_ref().and_then(|name| typologies.programmes.get(name));
-    let programmes = list(&brief.typology.programme)?;
     let hall = brief.typology.hall.as_deref().unwrap_or("corridor");
-    let mut strips = Strips::of(ground);
-    let mut ways: Vec<Option<Vec<Division>>> = vec![None; ports.len()];
-    for programme in fitting(programmes, floor, ground, typologies) {
-        let mut plans = Vec::new();
-        let task = Task {
-            ground,
-            port: Some(port),
-            typologies,
-            programme,
-            hall,
-            hall_width: brief.typology.hall_width,
-            has_stairs,
-        };
-        for (port, way) in ports.iter().zip(&mut ways) {
-            let task = Task { port: Some(*port), ..task };
-            let divisions = way.get_or_insert_with(|| strips.divisions(task));
-            plans.extend(plan(task, divisions, GROUND_PLANS.div_ceil(2), stream));
-            if plans.iter().any(|planned| planned.cost < GOOD_LEVEL) {
+    let mut search = Search {
+        ports,
+        programmes: fitting(list(&brief.typology.programme)?, floor, ground, typologies),
+        uppers: uppers_of(list(&brief.typology.upper_programme), floor),
+        strips: Strips::of(ground),
+    };
+    let task = |programme| Task {
+        ground,
+        port: Some(port),
+        typologies,
+        programme,
+        hall,
+        hall_width: brief.typology.hall_width,
+        has_stairs,
+    };
+    let levels =
+        search.levels(&task, Form::Through, stream).or_else(|| search.levels(&task, Form::WithEnds, stream));
+    let is_small = !has_stairs && area(&ground.ring) < 60.0;
+    let or_studio = || is_small.then(|| studio(ground, port, typologies).map(|cells| vec![cells])).flatten();
+    Some(levels.or_else(or_studio)?.into_iter().map(one_unit).collect())
+}
+
+/// Where the strip of a house lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Form {
+    /// From end to end, with rooms beside it.
+    Through,
+    /// Between rooms that are as wide as the house.
+    WithEnds,
+}
+
+/// What the levels of a house are looked for with.
+struct Search<'a> {
+    /// Places of the door.
+    ports: Vec<Port>,
+    /// The rooms of the ground floor, the most first.
+    programmes: Vec<&'a Programme>,
+    /// The rooms of the levels above, the most first.
+    uppers: Vec<&'a Programme>,
+    strips: Strips<'a>,
+}
+
+impl<'a> Search<'a> {
+    /// The ground floor, and the level above it where there are stairs.
+    fn levels(
+        &mut self,
+        task: &impl Fn(&'a Programme) -> Task<'a>,
+        form: Form,
+        stream: &mut Stream,
+    ) -> Option<Vec<Vec<Cell>>> {
+        let mut ways: Vec<Option<Vec<Division>>> = vec![None; self.ports.len()];
+        for programme in self.programmes.clone() {
+            let mut plans = Vec::new();
+            for (port, way) in self.ports.iter().zip(&mut ways) {
+                let task = Task { port: Some(*port), ..task(programme) };
+                let divisions = way.get_or_insert_with(|| match form {
+                    Form::Through => self.strips.divisions(task),
+                    Form::WithEnds => self.strips.divisions_with_ends(task),
+                });
+                let wanted = if form == Form::Through { GROUND_PLANS.div_ceil(2) } else { GROUND_PLANS };
+                plans.extend(plan(task, divisions, wanted, stream));
+                if plans.iter().any(|planned| planned.cost < GOOD_LEVEL) {
+                    break;
+                }
+            }
+            plans.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+            plans.truncate(GROUND_PLANS);
+            let levels = match task(programme).has_stairs {
+                true => self.with_level_above(plans, form, task, stream),
+                false => plans.into_iter().next().map(|planned| vec![planned.cells]),
+            };
+            if levels.is_some() {
+                return levels;
+            }
+        }
+        None
+    }
+
+    /// The first ground floor that a level fits on; with rooms at the ends of the strip the place of the stairs decides how many
+    /// bedrooms there are above, and the one with most is taken.
+    fn with_level_above(
+        &mut self,
+        plans: Vec<Planned>,
+        form: Form,
+        task: &impl Fn(&'a Programme) -> Task<'a>,
+        stream: &mut Stream,
+    ) -> Option<Vec<Vec<Cell>>> {
+        let mut most = self.uppers.len();
+        let mut best = None;
+        for planned in plans {
+            let upper = self.uppers[..most].iter().enumerate().find_map(|(rank, programme)| {
+                let task = Task { port: None, ..task(programme) };
+                let upper = plan_alike(task, &planned.scheme, &mut self.strips, stream).into_iter().next()?;
+                Some((rank, upper))
+            });
+            let Some((rank, upper)) = upper else { continue };
+            best = Some(vec![planned.cells, upper.cells]);
+            if form == Form::Through || rank == 0 {
                 break;
             }
+            most = rank;
         }
-        plans.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-        for planned in plans.into_iter().take(GROUND_PLANS) {
-            if !has_stairs {
-                return Some(vec![one_unit(planned.cells)]);
-            }
-            let uppers = list(&brief.typology.upper_programme)?;
-            let upper = uppers
-                .iter()
-                .rev()
-                .filter(|programme| programme.from <= floor * 1.25)
-                .take(MOST_PROGRAMMES)
-                .find_map(|programme| {
-                    let task = Task { port: None, programme, ..task };
-                    plan_alike(task, &planned.scheme, &mut strips, stream).into_iter().next()
-                });
-            if let Some(Planned { cells, .. }) = upper {
-                return Some(vec![one_unit(planned.cells), one_unit(cells)]);
-            }
-        }
+        best
     }
-    let is_small = !has_stairs && area(&ground.ring) < 60.0;
-    is_small.then(|| studio(ground, port, typologies).map(|cells| vec![one_unit(cells)])).flatten()
+}
+
+/// The programmes of a level above the ground floor that fit a floor of so many square metres, the largest first.
+fn uppers_of(programmes: Option<&Vec<Programme>>, floor: f64) -> Vec<&Programme> {
+    let fitting = programmes.into_iter().flatten().rev().filter(|programme| programme.from <= floor * 1.25);
+    fitting.take(MOST_PROGRAMMES).collect()
 }
 
 fn one_unit(mut cells: Vec<Cell>) -> Vec<Cell> {

@@ -23,6 +23,7 @@ mod disc;
 mod draft;
 mod dwelling;
 mod egress;
+mod ends;
 mod entrance_room;
 mod entries;
 mod facade;

@@ -106,10 +106,18 @@ pub(super) struct Row {
     light: Rc<[(f64, f64, f64)]>,
     /// Where it borders on the strip.
     contact: Vec<(f64, f64)>,
+    /// Whether it lies at an end of the strip: its rooms are as deep as the ground is wide there.
+    is_end: bool,
 }
 
 impl Row {
     fn of(ring: Ring, ground: &Ground, strip: &[Point]) -> Self {
+        let contact = contact(&ring, strip);
+        Self { contact, is_end: false, ..Self::at_end(ring, ground, (0.0, 0.0)) }
+    }
+
+    /// A row at an end of a strip, with a door to it in the stretch from where to where.
+    pub(super) fn at_end(ring: Ring, ground: &Ground, contact: (f64, f64)) -> Self {
         let extent = bounds(&ring);
         let (from, to) = (extent.low.x, extent.high.x);
         let step = (to - from) / SAMPLES as f64;
@@ -123,8 +131,15 @@ impl Row {
         let span =
             |piece: Segment| (piece.start.x.min(piece.end.x), piece.start.x.max(piece.end.x), piece.length());
         let light = ground.light(&ring).into_iter().map(span).collect();
-        let contact = contact(&ring, strip);
-        Self { ring: Rc::new(ring), from, to, sums: Rc::new(sums), light, contact }
+        Self {
+            ring: Rc::new(ring),
+            from,
+            to,
+            sums: Rc::new(sums),
+            light,
+            contact: vec![contact],
+            is_end: true,
+        }
     }
 
     /// Square metres.
@@ -137,9 +152,28 @@ impl Row {
         self.to - self.from
     }
 
-    /// Mean metres away from the strip.
+    /// Metres away from the strip: the mean, or the most where a room takes the whole of it.
     pub(super) fn depth(&self) -> f64 {
-        self.area() / self.length().max(0.01)
+        let mean = self.area() / self.length().max(0.01);
+        let step = self.length().max(0.01) / SAMPLES as f64;
+        let most = || self.sums.windows(2).map(|pair| (pair[1] - pair[0]) / step).fold(mean, f64::max);
+        if self.is_end { most() } else { mean }
+    }
+
+    /// Metres away from the strip of a slice, as of [`Self::depth`].
+    pub(super) fn depth_between(&self, from: f64, to: f64) -> f64 {
+        if self.is_end {
+            (self.area_up_to(to) - self.area_up_to(from)) / (to - from).max(0.01)
+        } else {
+            self.depth()
+        }
+    }
+
+    /// Square metres up to a place.
+    fn area_up_to(&self, place: f64) -> f64 {
+        let steps = SAMPLES as f64 * ((place - self.from) / self.length().max(0.01)).clamp(0.0, 1.0);
+        let index = (steps as usize).min(SAMPLES - 1);
+        self.sums[index] + (steps - index as f64) * (self.sums[index + 1] - self.sums[index])
     }
 
     /// The place up to which so many square metres lie.
@@ -310,6 +344,11 @@ impl Band {
         }
         let sides = [below, above].map(|rings| Side { rings, cuts: Vec::new() });
         Some(Self { strip, sides, left_over, insides: Vec::new(), joined: Vec::new() })
+    }
+
+    /// Its strip.
+    pub(super) fn strip(&self) -> &[Point] {
+        &self.strip
     }
 
     /// The strip with ports joined to it, which many places of stairs leave as they are; `None` where one does not border on it.

@@ -75,6 +75,28 @@ fn a_house_has_the_same_stairs_on_all_levels_and_a_bath_above() {
 }
 
 #[test]
+fn narrow_houses_of_a_terrace_have_rooms_as_wide_as_they_are() {
+    for (width, depth) in [(3.8, 10.0), (4.0, 13.0), (4.3, 16.0), (4.6, 9.0)] {
+        let row = |number: u32| {
+            let outline = rectangle(width * f64::from(number), 0.0, width, depth);
+            footprint(&format!("house {number}"), outline, 2.0, "terrace")
+        };
+        let house = plan(&site((0..5).map(row).collect()), 2);
+        assert_eq!((house.report.typology.as_str(), house.report.rung), ("house", 0), "{:?}", house.report);
+        let across = |room: &crate::plan::RoomDraft| ring::bounds(&room.outline).size().min_element();
+        for (level, wanted) in [(0, "living"), (1, "bedroom")] {
+            let rooms = &house.draft.levels[level].rooms;
+            let mut wide = rooms.iter().filter(|room| room.room_type.starts_with(wanted));
+            // But for the outer walls, 0.3 m each.
+            assert!(wide.any(|room| across(room) > width - 0.7), "{width} by {depth}: {rooms:?}");
+        }
+        let stairs = [0, 1].map(|level| rooms_of(&house, level, "stairs")[0].outline.clone());
+        assert_eq!(stairs[0], stairs[1]);
+        assert_eq!(rooms_of(&house, 1, "bathroom").len(), 1);
+    }
+}
+
+#[test]
 fn flats_have_an_entrance_a_kitchen_and_a_bath_each() {
     let block = alone(rectangle(0.0, 0.0, 40.0, 12.0), 4.0, "apartments");
     assert_eq!((block.report.typology.as_str(), block.report.rung), ("flats", 0), "{:?}", block.report);

@@ -130,6 +130,9 @@ pub struct Typology {
     /// Square metres of a storey, least and most.
     #[serde(default = "any")]
     pub area: (f64, f64),
+    /// Square metres of a storey, least and most, with which people build it: beyond them it is drawn where no other kind fits.
+    #[serde(default = "any")]
+    pub usual_area: (f64, f64),
     /// Metres of depth, the largest disc that the outline holds, least and most.
     #[serde(default = "any")]
     pub depth: (f64, f64),
