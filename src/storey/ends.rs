@@ -104,7 +104,11 @@ pub(super) fn middles(ground: &Ground, port: Port, has_stairs: bool) -> Vec<Midd
             for from in starts {
                 let to = from.max(left) + long;
                 let reach = (from, if right - to < 0.3 { right + FLUSH } else { to });
-                if !extent.has_rooms_or_nothing_beyond(reach) || !extent.leads_in(port, heights, reach) {
+                // Stairs lie beside the strip with their whole length, on each level.
+                if to > right + FLUSH
+                    || !extent.has_rooms_or_nothing_beyond(reach)
+                    || !extent.leads_in(port, heights, reach)
+                {
                     continue;
                 }
                 let at = |(is_above, length): (bool, f64), from: f64| Fixed {
