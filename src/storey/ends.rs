@@ -15,8 +15,8 @@ use crate::geometry::Point;
 
 use super::dwelling::Port;
 use super::links::LEAST_BORDER;
-use super::ring::{Axis, Ring, area, shared_length, split};
-use super::spine::{Fixed, FixedKind, Ground, Row, extent, settle};
+use super::ring::{Axis, Ring, shared_length, split};
+use super::spine::{Fixed, FixedKind, Ground, Row, extent, largest_of, settle};
 
 /// Metres of the hall: a person with a box passes, and 3.4 m between the outer walls hold stairs beside it.
 const HALL_WIDTH: f64 = 1.14;
@@ -166,6 +166,7 @@ fn ways_across(Extent { bottom, top, .. }: Extent, has_stairs: bool) -> Vec<Acro
 pub(super) fn alike(ground: &Ground, heights: (f64, f64), stairs: Fixed) -> Vec<Middle> {
     let extent = Extent::of(ground);
     let Extent { left, right, .. } = extent;
+    // Not the longest of them: above, no kitchen lies beside the hall.
     let starts = MORE.iter().take(5).map(|more| stairs.from - more).chain([left - FLUSH]);
     let stops: Vec<f64> = MORE.iter().take(5).map(|more| stairs.to + more).chain([right + FLUSH]).collect();
     let reaches = starts.flat_map(|from| stops.iter().map(move |&to| (from, to)));
@@ -192,12 +193,10 @@ impl Parts {
             beyonds.extend(beyond);
         }
         let mut crumbs = Vec::new();
-        let mut largest = |mut pieces: Vec<Ring>| {
-            pieces.sort_by(|a, b| area(b).total_cmp(&area(a)));
-            let mut pieces = pieces.into_iter();
-            let first = pieces.next();
-            crumbs.extend(pieces);
-            first
+        let mut largest = |pieces: Vec<Ring>| {
+            let (first, others) = largest_of(pieces)?;
+            crumbs.extend(others);
+            Some(first)
         };
         let (before, middle, beyond) = (largest(before), largest(middles)?, largest(beyonds));
         let has_ends = [before.is_some(), beyond.is_some()];

@@ -234,7 +234,7 @@ fn take_largest(pieces: Vec<Ring>, taken: &mut Vec<Ring>, left_over: &mut Vec<Ri
 }
 
 /// The largest of some pieces, and the others, the larger first.
-fn largest_of(mut pieces: Vec<Ring>) -> Option<(Ring, Vec<Ring>)> {
+pub(super) fn largest_of(mut pieces: Vec<Ring>) -> Option<(Ring, Vec<Ring>)> {
     pieces.sort_by(|a, b| area(b).total_cmp(&area(a)));
     let mut pieces = pieces.into_iter();
     Some((pieces.next()?, pieces.collect()))
