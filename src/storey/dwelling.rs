@@ -28,7 +28,7 @@ const DRAWN_WITH_ENDS: usize = 24;
 /// Metres of the half of a way in.
 const PORT_HALF: f64 = 0.7;
 /// Metres beyond the ground at which a strip along its edge begins: outlines are not quite straight.
-const FLUSH: f64 = 0.12;
+pub(super) const FLUSH: f64 = 0.12;
 /// Metres beside a strip that are no row: the strip lies at the edge.
 const LEAST_ROW: f64 = 1.3;
 /// Depth of stairs that stand in a row, in metres, least and most.

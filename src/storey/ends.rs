@@ -13,15 +13,13 @@
 
 use crate::geometry::Point;
 
-use super::dwelling::Port;
+use super::dwelling::{FLUSH, Port};
 use super::links::LEAST_BORDER;
 use super::ring::{Axis, Ring, shared_length, split};
 use super::spine::{Fixed, FixedKind, Ground, Row, extent, largest_of, settle};
 
 /// Metres of the hall: a person with a box passes, and 3.4 m between the outer walls hold stairs beside it.
 const HALL_WIDTH: f64 = 1.14;
-/// Metres beyond the ground at which a strip along its edge begins: outlines are not quite straight.
-const FLUSH: f64 = 0.12;
 /// Metres along the strip of stairs that are so many metres deep or deeper, or shallower.
 const STAIR_LENGTHS: [(f64, f64); 2] = [(2.2, 2.1), (1.75, 3.2)];
 /// Metres of the depth of stairs where small rooms lie at the other side of the hall, and of these rooms at least and at most.

@@ -113,11 +113,15 @@ pub(super) struct Row {
 impl Row {
     fn of(ring: Ring, ground: &Ground, strip: &[Point]) -> Self {
         let contact = contact(&ring, strip);
-        Self { contact, is_end: false, ..Self::at_end(ring, ground, (0.0, 0.0)) }
+        Self::new(ring, ground, contact, false)
     }
 
     /// A row at an end of a strip, with a door to it in the stretch from where to where.
     pub(super) fn at_end(ring: Ring, ground: &Ground, contact: (f64, f64)) -> Self {
+        Self::new(ring, ground, vec![contact], true)
+    }
+
+    fn new(ring: Ring, ground: &Ground, contact: Vec<(f64, f64)>, is_end: bool) -> Self {
         let extent = bounds(&ring);
         let (from, to) = (extent.low.x, extent.high.x);
         let step = (to - from) / SAMPLES as f64;
@@ -131,15 +135,7 @@ impl Row {
         let span =
             |piece: Segment| (piece.start.x.min(piece.end.x), piece.start.x.max(piece.end.x), piece.length());
         let light = ground.light(&ring).into_iter().map(span).collect();
-        Self {
-            ring: Rc::new(ring),
-            from,
-            to,
-            sums: Rc::new(sums),
-            light,
-            contact: vec![contact],
-            is_end: true,
-        }
+        Self { ring: Rc::new(ring), from, to, sums: Rc::new(sums), light, contact, is_end }
     }
 
     /// Square metres.
@@ -155,9 +151,11 @@ impl Row {
     /// Metres away from the strip: the mean, or the most where a room takes the whole of it.
     pub(super) fn depth(&self) -> f64 {
         let mean = self.area() / self.length().max(0.01);
+        if !self.is_end {
+            return mean;
+        }
         let step = self.length().max(0.01) / SAMPLES as f64;
-        let most = || self.sums.windows(2).map(|pair| (pair[1] - pair[0]) / step).fold(mean, f64::max);
-        if self.is_end { most() } else { mean }
+        self.sums.windows(2).map(|pair| (pair[1] - pair[0]) / step).fold(mean, f64::max)
     }
 
     /// Metres away from the strip of a slice, as of [`Self::depth`].
