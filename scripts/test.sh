@@ -16,13 +16,11 @@ log=$work/log
 passed=0
 failed=0
 step_name=
-# The process of `start_hostile`, while it runs.
-hostile=
 started=$SECONDS
 
 finish() {
   local status=$?
-  [ -z "$hostile" ] || kill "$hostile" 2>/dev/null || true
+  kill $(jobs -p) 2>/dev/null || true
   if [ "$status" -ne 0 ] && [ -n "$step_name" ]; then
     [ "$failed" -gt 0 ] || failed=1
     printf '\nFAILED: %s\n' "$step_name"
@@ -70,18 +68,26 @@ checked() {
   passed=$((passed + 1))
 }
 
-# Hostile inputs, which one processor reads: beside the release build, much of which has work for one.
-start_hostile() {
-  cargo test --locked --test fuzz >"$work/hostile" 2>&1 &
-  hostile=$!
+# beside NAME COMMAND...: starts a command beside the steps that follow; `joined NAME` waits for it and prints what it wrote.
+beside() {
+  local name=$1
+  shift
+  "$@" >"$work/$name.log" 2>&1 &
+  echo $! >"$work/$name.process"
 }
 
-finish_hostile() {
+# joined NAME: the end of what runs beside; tests that it ran are counted.
+joined() {
   local status=0
-  wait "$hostile" || status=$?
-  hostile=
-  counted cat "$work/hostile"
+  wait "$(cat "$work/$1.process")" || status=$?
+  counted cat "$work/$1.log"
   return "$status"
+}
+
+# release_tests OPTION...: what users run, optimised. The library's own tests, and those of single stages, run in debug; to build
+# them once more takes as long as all the others.
+release_tests() {
+  cargo test --release --locked --test command_line --test end_to_end --test faults --test kill --test properties "$@"
 }
 
 # The demo as the README bakes it: no arguments, from the project's folder, in debug and in release.
@@ -176,6 +182,8 @@ step "Python environment" set_up_python
 step "Khronos validator" set_up_validator
 step "mypy" checked .venv/bin/python -m mypy
 step "cargo fmt" checked cargo fmt --check
+# Debug and release builds have folders of their own, and much of each is work for one processor.
+beside release release_tests --no-run
 step "cargo clippy" checked cargo clippy --all-targets --locked -- -D warnings
 step "cargo check (without the command)" checked cargo check --no-default-features --lib --locked
 step "cargo doc" checked env RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --locked --document-private-items
@@ -184,13 +192,11 @@ step "cargo doc" checked env RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --lo
 step "cargo test (debug)" counted cargo test --locked --lib --test plan --test scene
 step "cargo test (debug, pinned levels)" counted cargo test --locked --test command_line pinned
 step "cargo test (documentation)" counted cargo test --locked --doc
-start_hostile
-# Optimised: what users run. The library's own tests, and those of single stages, ran in debug; to build them once more takes as
-# long as all the others.
-step "cargo test (release)" counted cargo test --release --locked \
-  --test command_line --test end_to_end --test faults --test kill --test properties
-step "cargo test (debug, hostile inputs)" finish_hostile
+step "cargo build (release)" joined release
+step "cargo test (release)" counted release_tests
 step "cargo build" cargo build --locked
+# One processor reads hostile inputs; so it is with most of the steps from here to pytest.
+beside hostile cargo test --locked --test fuzz
 step "The demo, twice" checked bake_twice
 step "validate.py" checked .venv/bin/python scripts/validate.py "$work/release"
 step "validate.py (random polygons)" checked polygons
@@ -204,5 +210,6 @@ step "Tiles in viewers" tile_viewers
 step "The page of roomwright view" viewer
 step "WebAssembly" web
 step "Wheel" checked wheel
+step "cargo test (debug, hostile inputs)" joined hostile
 step "pytest" counted env ROOMWRIGHT_WHEEL="$(echo "$work"/wheel/*.whl)" ROOMWRIGHT_BAKED="$work/release" ROOMWRIGHT_PROGRAM="$top/target/release/roomwright" .venv/bin/python -m pytest -q -rs -n 2 --dist loadfile tests/scripts
 step_name=
