@@ -26,6 +26,10 @@ const SLENDER: f64 = 2.0;
 /// is worse than a hall that is two metres longer.
 const NARROW_COST: f64 = 4.0;
 
+/// How much larger than its share a room is made at most so that it is good to furnish, and how much smaller those beside it.
+const WIDENED: f64 = 1.4;
+const NARROWED: f64 = 0.8;
+
 /// A room that is wished for.
 #[derive(Clone, Debug)]
 pub(super) struct Wish<'a> {
@@ -151,6 +155,8 @@ struct Want {
     needs_light: bool,
     /// Metres along the row that a room which needs no light has at least.
     inner_width: f64,
+    /// Metres along the row at which it is good to furnish.
+    good_width: Option<f64>,
 }
 
 impl Want {
@@ -159,7 +165,15 @@ impl Want {
         // A room that ends before the outer wall is not much deeper than it is wide.
         let inner_width = if wish.needs.inner { width.max(INNER_WIDTH * wish.area.sqrt()) } else { width };
         let needs_light = wish.needs.light == Light::Required;
-        Self { area: wish.area, least: wish.least(), stretch: wish.stretch(), needs_light, inner_width }
+        let good_width = wish.needs.good_width.map(|good| good + MARGIN);
+        Self {
+            area: wish.area,
+            least: wish.least(),
+            stretch: wish.stretch(),
+            needs_light,
+            inner_width,
+            good_width,
+        }
     }
 }
 
@@ -312,7 +326,7 @@ impl<'a> Ways<'a> {
         if !(ROW_SCALE.0..=ROW_SCALE.1).contains(&scale) {
             return None;
         }
-        let shares = Shares::of(chosen, wants, place);
+        let shares = Shares::of(chosen, wants, place.area, place.depth);
         let (mut taken, mut from) = (0.0, place.row.from);
         let first = slices.len();
         for (number, &wish) in chosen.iter().enumerate() {
@@ -347,7 +361,7 @@ impl<'a> Ways<'a> {
             slice.is_at_strip = contact.map_or(0.0, |(from, to)| to - from) >= DOOR_STRETCH;
             slice.is_at_hall = slice.is_at_strip;
             let slenderness = length.max(depth) / length.min(depth);
-            let good_width = wishes[slice.wish].needs.good_width;
+            let good_width = wants[slice.wish].good_width;
             let narrowness = good_width.map_or(0.0, |good| (good - length.min(depth)).max(0.0));
             cost += scale_cost + (slenderness - SLENDER).max(0.0) + NARROW_COST * narrowness;
         }
@@ -373,33 +387,72 @@ impl<'a> Ways<'a> {
 
 /// How the rooms of a row share its floor, which they fill: where there is more than was wished for, baths and stores grow less
 /// than rooms to live in, but to the width that they need.
+#[derive(Clone, Copy)]
 struct Shares {
     scale: f64,
     depth: f64,
     for_large: f64,
     for_small: f64,
+    /// Rooms that are wished for with so many square metres are as wide as is good to furnish, and the others smaller for it.
+    wide_from: f64,
+    for_others: f64,
 }
 
 impl Shares {
-    fn of(chosen: &[usize], wants: &[Want], place: &Place<'_>) -> Self {
+    /// Of a row of so many square metres that is so many metres deep.
+    fn of(chosen: &[usize], wants: &[Want], available: f64, depth: f64) -> Self {
         let chosen = || chosen.iter().map(|&wish| &wants[wish]);
+        let large = || chosen().filter(|want| want.needs_light);
         let wished: f64 = chosen().map(|want| want.area).sum();
-        let (available, depth) = (place.area, place.depth);
         let scale = available / wished;
-        let plain = Self { scale, depth, for_large: 1.0, for_small: 1.0 };
+        let plain =
+            Self { scale, depth, for_large: 1.0, for_small: 1.0, wide_from: f64::INFINITY, for_others: 1.0 };
         let of_small: f64 = chosen().filter(|want| !want.needs_light).map(|want| plain.area(want)).sum();
-        let of_large: f64 = chosen().filter(|want| want.needs_light).map(|want| want.area).sum();
+        let of_large: f64 = large().map(|want| want.area).sum();
         let (for_large, for_small) = match of_large > 0.0 {
             true => ((available - of_small).max(0.0) / of_large, 1.0),
             false => (0.0, available / of_small),
         };
-        Self { for_large, for_small, ..plain }
+        let shares = Self { for_large, for_small, ..plain };
+        let narrow = large().filter(|want| shares.lack(want).is_some()).map(|want| want.area);
+        let Some(largest) = narrow.reduce(f64::max) else { return shares };
+        // All that are too narrow, or else the largest of them: one bed for two has a good place.
+        [0.0, largest].into_iter().find_map(|from| shares.widened(large(), from)).unwrap_or(shares)
+    }
+
+    /// Square metres that the share of a room lacks to be good to furnish.
+    fn lack(&self, want: &Want) -> Option<f64> {
+        // In a shallow row no width makes up for the depth.
+        let good_width = want.good_width.filter(|&good| want.needs_light && good <= self.depth)?;
+        let lack = good_width * self.depth - want.area * self.for_large;
+        (lack > 0.0).then_some(lack)
+    }
+
+    /// What a room gets beyond its share so that it is good to furnish.
+    fn gain(&self, want: &Want) -> Option<f64> {
+        let most = want.area * self.for_large * (WIDENED - 1.0);
+        self.lack(want).filter(|&lack| want.area >= self.wide_from && lack <= most)
+    }
+
+    /// Shares in which rooms of so many square metres and more are good to furnish; `None` where that makes others too small.
+    fn widened<'w>(self, large: impl Iterator<Item = &'w Want> + Clone, from: f64) -> Option<Self> {
+        let wide = Self { wide_from: from, ..self };
+        let others = || large.clone().filter(|want| wide.lack(want).is_none());
+        let more: f64 = large.clone().filter_map(|want| wide.gain(want)).sum();
+        let of_others: f64 = others().map(|want| want.area * self.for_large).sum();
+        let for_others = 1.0 - more / of_others;
+        let shares = Self { for_others, ..wide };
+        let keeps_its_width =
+            |want: &Want| shares.area(want) >= want.good_width.unwrap_or(want.least) * self.depth;
+        (more > 0.0 && for_others >= NARROWED && others().all(keeps_its_width)).then_some(shares)
     }
 
     /// Square metres of a room.
     fn area(&self, want: &Want) -> f64 {
         if want.needs_light {
-            return want.area * self.for_large;
+            let share = want.area * self.for_large;
+            let is_narrow = self.lack(want).is_some();
+            return if is_narrow { share + self.gain(want).unwrap_or(0.0) } else { share * self.for_others };
         }
         let grown = want.area * if self.scale > 1.0 { self.scale.sqrt() } else { self.scale };
         grown.max(want.inner_width * self.depth) * self.for_small
@@ -427,5 +480,33 @@ mod tests {
         assert_eq!(housed_behind(0.9, &[2.0, 2.0]), 0, "no window has a place");
         assert_eq!(housed_behind(4.5, &[2.0, 3.0, 3.0]), 2);
         assert_eq!(housed_behind(30.0, &[2.0, 3.0]), 2);
+    }
+
+    fn want(area: f64, least: f64, good_width: Option<f64>) -> Want {
+        Want { area, least, stretch: 2.0, needs_light: true, inner_width: least, good_width }
+    }
+
+    /// Metres along a row 5 m deep, of as many square metres as are wished for.
+    fn widths(wants: &[Want]) -> Vec<f64> {
+        let chosen: Vec<usize> = (0..wants.len()).collect();
+        let wished: f64 = wants.iter().map(|want| want.area).sum();
+        let shares = Shares::of(&chosen, wants, wished, 5.0);
+        let widths: Vec<f64> = wants.iter().map(|want| shares.area(want) / 5.0).collect();
+        assert!((widths.iter().sum::<f64>() - wished / 5.0).abs() < 1e-9, "the row is full: {widths:?}");
+        widths
+    }
+
+    #[test]
+    fn bedrooms_are_wide_enough_for_a_bed_for_two_where_a_living_room_can_spare_it() {
+        let bedroom = |area| want(area, 2.5, Some(3.25));
+        let living = |area| want(area, 3.0, None);
+        assert!((widths(&[living(25.0), bedroom(12.0)])[1] - 3.25).abs() < 1e-9);
+        assert!((widths(&[living(12.0), bedroom(12.0)])[1] - 2.4).abs() < 1e-9, "nothing can be spared");
+        // Of two, the larger.
+        let two = widths(&[living(25.0), bedroom(14.0), bedroom(12.0)]);
+        assert!((two[1] - 3.25).abs() < 1e-9 && (two[2] - 2.4).abs() < 1e-9, "{two:?}");
+        // A store is not narrowed for it, nor a bedroom that is wide enough.
+        let wide = widths(&[bedroom(18.0), bedroom(14.0)]);
+        assert!((wide[0] - 3.6).abs() < 1e-9 && (wide[1] - 2.8).abs() < 1e-9, "{wide:?}");
     }
 }
