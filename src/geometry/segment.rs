@@ -136,6 +136,12 @@ impl Line {
     pub fn right_of(self, point: Point) -> f64 {
         -self.direction.perp_dot(point - self.point)
     }
+
+    /// The same line the other way round: left is right.
+    #[must_use]
+    pub fn reversed(self) -> Self {
+        Self { direction: -self.direction, ..self }
+    }
 }
 
 /// The edges of a ring of corners that have a length; the inside of a counter-clockwise one is on the left.
