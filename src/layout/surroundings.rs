@@ -3,8 +3,8 @@
 use crate::catalog::AuditRules;
 use crate::geometry::{Bounds, Convex, DISC_CORNERS, Grid, Point, Polygon, Segment, Solid};
 use crate::plan::{
-    FRAME_DEPTH, FRAME_WIDTH, HANDLE_HEIGHTS, Leaf, Level, Opening, OpeningKind, Room, RoomOpening, RoomRef,
-    Stairs, Wall,
+    FRAME_DEPTH, FRAME_WIDTH, HANDLE_HEIGHTS, Leaf, Level, Opening, OpeningKind, OpeningSide, Room,
+    RoomOpening, RoomRef, Stairs, Wall,
 };
 
 use super::constants::{WALL_POINTS, WALL_STEP};
@@ -31,6 +31,19 @@ pub(crate) struct Border {
     pub(crate) segment: Segment,
     /// Whether nothing stands there: bodies stay inside all the same, people walk across.
     pub(crate) is_open: bool,
+    /// Whether it is open to stairs: people step there, and nobody who uses a piece of this room does.
+    pub(crate) is_at_stairs: bool,
+}
+
+/// A stretch of a wall that nothing closes.
+#[derive(Clone, Copy, Debug)]
+struct OpenStretch {
+    /// Metres from the wall's start.
+    from: f64,
+    /// See `from`.
+    to: f64,
+    /// Whether there are stairs on the other side.
+    is_at_stairs: bool,
 }
 
 /// A region that no body may enter.
@@ -127,16 +140,25 @@ impl<'a> Surroundings<'a> {
         edges.flat_map(|(wall, edge)| cut(wall, edge, self.open_stretches(wall))).collect()
     }
 
-    /// Where a wall has nothing that closes it, in metres along it, from its start on.
-    fn open_stretches(&self, wall: usize) -> Vec<(f64, f64)> {
+    /// Where a wall has nothing that closes it, from its start on.
+    fn open_stretches(&self, wall: usize) -> Vec<OpenStretch> {
         let is_open = |side: &&RoomOpening| {
             let kind = self.level.openings[side.opening].kind;
             side.wall == wall && matches!(kind, OpeningKind::OpenBoundary | OpeningKind::Passage)
         };
-        let open = self.room.openings.iter().filter(is_open);
-        let mut stretches: Vec<_> = open.map(|side| (side.from, side.to)).collect();
+        let has_stairs = |other: &OpeningSide| {
+            !core::ptr::eq(&self.level.rooms[other.room], self.room)
+                && self.level.stairs_of(other.room).is_some()
+        };
+        let is_at_stairs =
+            |side: &RoomOpening| self.level.openings[side.opening].sides.iter().any(has_stairs);
+        let stretch = |side: &RoomOpening| {
+            let &RoomOpening { from, to, .. } = side;
+            OpenStretch { from, to, is_at_stairs: is_at_stairs(side) }
+        };
+        let mut stretches: Vec<_> = self.room.openings.iter().filter(is_open).map(stretch).collect();
         // From the start of the wall on, for `cut` goes along it once.
-        stretches.sort_by(|a, b| a.0.total_cmp(&b.0));
+        stretches.sort_by(|a, b| a.from.total_cmp(&b.from));
         stretches
     }
 
@@ -182,24 +204,26 @@ fn fill(grid: &mut Grid, boxes: impl Iterator<Item = Bounds>) {
 }
 
 /// An edge as borders, closed between its open stretches.
-fn cut(wall: usize, edge: Segment, open: Vec<(f64, f64)>) -> Vec<Border> {
+fn cut(wall: usize, edge: Segment, open: Vec<OpenStretch>) -> Vec<Border> {
     let (length, along) = (edge.length(), edge.direction());
     // Exact at the corners, so that neighbours meet.
     let at = |metres: f64| if metres < length { edge.start + along * metres } else { edge.end };
-    let mut pieces = Vec::with_capacity(2 * open.len() + 1);
-    let mut done = 0.0_f64;
-    for (from, to) in open {
-        pieces.push((done, from.min(length), false));
-        pieces.push((from.max(done), to.min(length), true));
-        done = done.max(to);
-    }
-    pieces.push((done, length, false));
-    let border = |(from, to, is_open): (f64, f64, bool)| Border {
+    let border = |from: f64, to: f64, open: Option<OpenStretch>| Border {
         wall,
         segment: Segment::new(at(from), at(to)),
-        is_open,
+        is_open: open.is_some(),
+        is_at_stairs: open.is_some_and(|stretch| stretch.is_at_stairs),
     };
-    pieces.into_iter().filter(|(from, to, _)| to > from).map(border).collect()
+    let mut pieces = Vec::with_capacity(2 * open.len() + 1);
+    let mut done = 0.0_f64;
+    for stretch in open {
+        pieces.push((done, stretch.from.min(length), None));
+        pieces.push((stretch.from.max(done), stretch.to.min(length), Some(stretch)));
+        done = done.max(stretch.to);
+    }
+    pieces.push((done, length, None));
+    let has_length = pieces.into_iter().filter(|(from, to, _)| to > from);
+    has_length.map(|(from, to, open)| border(from, to, open)).collect()
 }
 
 /// The floor before an opening on the room's side: `depth` metres deep, `margin` wider at both ends.

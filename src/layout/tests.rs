@@ -193,6 +193,32 @@ fn nothing_stands_in_the_hole_of_stairs() {
     assert_eq!(met(&level), 0);
 }
 
+#[test]
+fn clearances_reach_across_an_open_side_but_not_onto_stairs() {
+    let catalog = catalog(OFFICE, Untidiness::default());
+    // A desk and the seat before it are deeper than the room.
+    let mut level = level(&[(0.0, 0.0), (6.0, 0.0), (6.0, 1.4), (0.0, 1.4)]);
+    let (from, to) = (0.0, 6.0);
+    let open = &mut level.openings[0];
+    (open.kind, open.width, open.leaves) = (OpeningKind::OpenBoundary, 6.0, Vec::new());
+    open.sides = vec![OpeningSide { room: 0, wall: 0, from, to }, OpeningSide { room: 1, wall: 0, from, to }];
+    level.rooms[0].openings[0] = RoomOpening { opening: 0, wall: 0, from, to };
+    let other = level.rooms[0].clone();
+    level.rooms.push(other);
+    let desks = |level: &Level| {
+        let pieces = (0..10).flat_map(|seed| run(level, &catalog, seed).placements);
+        pieces.filter(|piece| catalog.classes[piece.class].id == "desk").count()
+    };
+    assert!(desks(&level) > 0);
+    let well = Well {
+        opening: Polygon::rectangle(Point::new(0.0, -3.0), Point::new(6.0, 3.0)),
+        guards: Vec::new(),
+        nosings: Vec::new(),
+    };
+    level.stairs = vec![Stairs { room: 1, up: None, well: Some(well) }].into();
+    assert_eq!(desks(&level), 0);
+}
+
 /// Metres between an open side of a room and the nearest body, over many seeds.
 fn nearest_to_the_open_side(catalog: &Catalog) -> f64 {
     let mut level = level(WIDE);

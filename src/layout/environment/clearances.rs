@@ -149,12 +149,13 @@ impl<'a> Environment<'a> {
     }
 
     /// Whether the walls leave a clearance too little room. Where the wall is open it may reach across the strip that the
-    /// next room keeps free.
+    /// next room keeps free, but not onto stairs: who comes from there would have no more than what is left of the floor.
     fn is_walled<R: Recorder>(&self, own: &OwnClearance<'_>, solid: &Solid, recorder: &mut R) -> bool {
         if self.lies_inside(solid, CLEARANCE_TOLERANCE) {
             return false;
         }
-        let wall = |border: &Border| (!border.is_open).then_some(Obstacle::WallInOwnClearance(border.wall));
+        let is_wall = |border: &Border| !border.is_open || border.is_at_stairs;
+        let wall = |border: &Border| is_wall(border).then_some(Obstacle::WallInOwnClearance(border.wall));
         // From inside the object, for a wall that it touches is at the very edge of its clearance.
         let reach = (-2.0 * CLEARANCE_TOLERANCE, own.depth);
         let (size, pose) = (self.agents[own.agent].size, &own.place.pose);
