@@ -62,11 +62,11 @@ LIVING_ROOMS = {"living_room", "living_dining", "living_kitchen", "studio", "stu
 # A room whose plan leaves open what it is.
 OPEN_KINDS = {"room"}
 BEDROOMS = {"bedroom", "room", "main_bedroom", "guest_bedroom", "elders_bedroom", "shared_room", "studio", "studio_kitchen"}
+SLEEPING_ROOMS = BEDROOMS | {"childrens_room", "shared_childrens_room"}
 KITCHENS = {"kitchen", "kitchen_dining", "living_kitchen", "studio_kitchen"}
 BATHROOMS = {"bathroom", "toilet"}
 HALLS = {"corridor", "walkway", "foyer"}
-HOME_ROOMS = LIVING_ROOMS | BEDROOMS | KITCHENS | {"childrens_room", "shared_childrens_room", "sitting_room",
-                                                       "dining_room", "study"}
+HOME_ROOMS = LIVING_ROOMS | SLEEPING_ROOMS | KITCHENS | {"sitting_room", "dining_room", "study"}
 OUTDOOR = {"balcony", "loggia", "terrace"}
 # Rooms that join dwellings, and are in none.
 STAIRS = {"stairs", "staircase", "elevator", "shaft", "void"}

@@ -83,9 +83,9 @@ HOUSEHOLDS = {"couple": 2, "single": 1, "family_2": 4, "shared_flat": 2}
 DOUBLE, SINGLE = ("double_bed", (1.6, 2.0, 0.6)), ("single_bed", (0.9, 2.0, 0.6))
 
 
-def dwelling(household: str, beds: tuple, *pieces: tuple, other: str = "living_room") -> Judged:
+def dwelling(household: str, beds: tuple, *pieces: tuple, other: str = "living_room", bedrooms: int = 1) -> Judged:
     """A kitchen (101), a bedroom of 16 m² (102) with beds and a living room (103), joined by doors."""
-    who = {"household": {"id": household, "persons": HOUSEHOLDS[household], "bedrooms": 1}}
+    who = {"household": {"id": household, "persons": HOUSEHOLDS[household], "bedrooms": bedrooms}}
     made = house("kitchen", 4.0, 3.0, **who).room("102", "main_bedroom", 4.0, 4.0, 4.2, **who).room("103", other, 5.0, 4.0, 8.4, **who)
     made.opening("d", "door", "passage", [("101", 1, 1.0, 1.9), ("102", 3, 1.0, 1.9)])
     made.opening("e", "door", "passage", [("102", 1, 1.0, 1.9), ("103", 3, 1.0, 1.9)])
@@ -206,6 +206,13 @@ def test_a_larger_bedroom_with_two_single_beds_is_for_two(tmp_path):
     twin = flat("single_bed", "double_bed").piece("single_bed", 3.0, 1.0, "north", (1.0, 2.0, 0.6))
     assert judge(flat("single_bed", "double_bed").read(tmp_path)).faults != ()
     assert judge(twin.read(tmp_path)).faults == ()
+
+
+@pytest.mark.parametrize("code", ["dwelling_beds", "dwelling_double_bed"])
+def test_who_sleeps_on_other_floors_has_beds_there(code, tmp_path):
+    judge = MEASURES[code].judge
+    assert judge(dwelling("couple", [SINGLE]).read(tmp_path)).faults != ()
+    assert judge(dwelling("couple", [SINGLE], bedrooms=3).read(tmp_path)) is None
 
 
 @pytest.mark.parametrize("code", ["kitchen_runs", "living_without_screen", "bedroom_without_bed", "chair_away"])

@@ -8,7 +8,7 @@ from __future__ import annotations
 from ..floors import Room
 from ..measure import Answer, Fault, Measure, answer
 from ..roles import (BEDROOMS, BEDS, CHAIRS, CHILDRENS_THINGS, DESKS, DOUBLE_BEDS, KITCHENS, LIVING_ROOMS, OPEN_KINDS, PROJECTION,
-                     SCREENS, SINGLE_BEDS, TABLES)
+                     SCREENS, SINGLE_BEDS, SLEEPING_ROOMS, TABLES)
 from .living import has_reading_corner
 
 # Square metres from which on a bedroom has room for a double bed.
@@ -32,6 +32,11 @@ def household(room: Room) -> dict | None:
     return room.extras.get("household")
 
 
+def is_whole(room: Room, rooms: list[Room]) -> bool:
+    """Whether the people of a dwelling sleep on this floor, all of them: of a house with stairs, some bedrooms are on others."""
+    return household(room)["bedrooms"] <= sum(other.kind in SLEEPING_ROOMS for other in rooms)
+
+
 def judge_living(room: Room) -> Answer | None:
     rooms = dwelling_of(room)
     if rooms is None:
@@ -49,7 +54,7 @@ def judge_living(room: Room) -> Answer | None:
 def judge_double(room: Room) -> Answer | None:
     rooms = dwelling_of(room)
     bedrooms = [other for other in rooms or [] if other.kind in BEDROOMS and other.area >= DOUBLE_AREA]
-    if not bedrooms:
+    if not bedrooms or not is_whole(room, rooms):
         return None
     largest = max(bedrooms, key=lambda other: other.area)
     is_for_two = largest.of(DOUBLE_BEDS) or len(largest.of(SINGLE_BEDS)) > 1
@@ -61,7 +66,7 @@ def judge_double(room: Room) -> Answer | None:
 
 def judge_beds(room: Room) -> Answer | None:
     rooms = dwelling_of(room)
-    if rooms is None or not any(other.of(BEDS) for other in rooms):
+    if rooms is None or not any(other.of(BEDS) for other in rooms) or not is_whole(room, rooms):
         return None
     beds = [piece for other in rooms for piece in other.of(BEDS)]
     places = sum(2 if piece.kind in DOUBLE_BEDS or piece.kind == "bunk_bed" else 1 for piece in beds)
