@@ -51,7 +51,7 @@ struct Crowd {
     line: Line,
     /// What of the furniture is there, by the area of footprints.
     share: f64,
-    /// Indices of pieces there of which each would balance the room in the other half: the largest first.
+    /// Indices of pieces there of which each would do better in the other half: the largest first.
     pieces: Vec<usize>,
 }
 
@@ -67,10 +67,9 @@ fn crowd(subject: &Subject<'_>, standing: &[Standing<'_>], line: Line) -> Option
     if all == 0.0 || share <= limit {
         return None;
     }
-    let balances = |body: &Body<'_>| {
-        let moved = box_area(body) / all;
-        share_right_of(body, line) >= 1.0 && share - moved <= limit && share - moved >= 1.0 - limit
-    };
+    // Not so much that the other half would be crowded then.
+    let balances =
+        |body: &Body<'_>| share_right_of(body, line) >= 1.0 && 1.0 - (share - box_area(body) / all) <= limit;
     let mut movable: Vec<&Standing<'_>> = standing.iter().filter(|(_, body)| balances(body)).collect();
     // Of equal areas the first id, whatever the order of the placements.
     movable.sort_by(|(_, a), (_, b)| box_area(b).total_cmp(&box_area(a)).then_with(|| a.id.cmp(&b.id)));
