@@ -26,8 +26,9 @@ const SLENDER: f64 = 2.0;
 /// is worse than a hall that is two metres longer.
 const NARROW_COST: f64 = 4.0;
 
-/// How much larger than its share a room is made at most so that it is good to furnish, and how much smaller those beside it.
+/// Of its share, how much a room gets at most so that it is good to furnish. Larger: large bedrooms beside small living rooms.
 const WIDENED: f64 = 1.4;
+/// Of their share, how much the rooms beside it keep at least. Larger: more bedrooms stay narrow.
 const NARROWED: f64 = 0.8;
 
 /// A room that is wished for.
@@ -505,7 +506,7 @@ mod tests {
         // Of two, the larger.
         let two = widths(&[living(25.0), bedroom(14.0), bedroom(12.0)]);
         assert!((two[1] - 3.25).abs() < 1e-9 && (two[2] - 2.4).abs() < 1e-9, "{two:?}");
-        // A store is not narrowed for it, nor a bedroom that is wide enough.
+        // No bedroom that is wide enough is narrowed for another.
         let wide = widths(&[bedroom(18.0), bedroom(14.0)]);
         assert!((wide[0] - 3.6).abs() < 1e-9 && (wide[1] - 2.8).abs() < 1e-9, "{wide:?}");
     }

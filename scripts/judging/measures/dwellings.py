@@ -33,7 +33,7 @@ def household(room: Room) -> dict | None:
 
 
 def is_whole(room: Room, rooms: list[Room]) -> bool:
-    """Whether the people of a dwelling sleep on this floor, all of them: of a house with stairs, some bedrooms are on others."""
+    """Whether all bedrooms of a dwelling are on this floor: of a house with stairs, some may be on others."""
     return household(room)["bedrooms"] <= sum(other.kind in SLEEPING_ROOMS for other in rooms)
 
 

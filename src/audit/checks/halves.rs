@@ -149,6 +149,13 @@ mod tests {
     use crate::audit::Code;
     use crate::audit::testing::{TestRoom, at};
 
+    /// A hall of 4 × 2 m that goes on to the east, narrower, between two lines and up to an end.
+    fn hall_with_tail(end: f64, (south, north): (f64, f64)) -> TestRoom {
+        let hall = [(0.0, 0.0), (4.0, 0.0)];
+        let tail = [(4.0, south), (end, south), (end, north), (4.0, north)];
+        TestRoom::outline(&[&hall[..], &tail, &[(4.0, 2.0), (0.0, 2.0)]].concat())
+    }
+
     #[test]
     fn two_chests_in_one_half_of_a_hall_are_crowded_and_one_in_each_is_not() {
         let mut room = TestRoom::rectangle(6.0, 4.0);
@@ -174,17 +181,7 @@ mod tests {
     #[test]
     fn where_the_largest_cannot_move_the_next_one_may() {
         // The other half is wide enough for a chest, and too narrow for a desk with a seat before it.
-        let corners = [
-            (0.0, 0.0),
-            (4.0, 0.0),
-            (4.0, 0.4),
-            (8.0, 0.4),
-            (8.0, 1.45),
-            (4.0, 1.45),
-            (4.0, 2.0),
-            (0.0, 2.0),
-        ];
-        let mut room = TestRoom::outline(&corners);
+        let mut room = hall_with_tail(8.0, (0.4, 1.45));
         room.stand("desk", at(0.8, 1.6));
         assert_eq!(room.count(Code::CrowdedHalf), 0);
         room.stand("chest", at(2.2, 0.5));
@@ -214,17 +211,7 @@ mod tests {
         small.stand("chest", at(0.5, 2.5));
         assert_eq!(small.audit(), []);
         // The other half is 0.9 m wide, too narrow for a chest.
-        let corners = [
-            (0.0, 0.0),
-            (4.0, 0.0),
-            (4.0, 0.55),
-            (12.0, 0.55),
-            (12.0, 1.45),
-            (4.0, 1.45),
-            (4.0, 2.0),
-            (0.0, 2.0),
-        ];
-        let mut tail = TestRoom::outline(&corners);
+        let mut tail = hall_with_tail(12.0, (0.55, 1.45));
         tail.stand("chest", at(0.5, 0.5));
         tail.stand("chest", at(0.5, 1.5));
         assert_eq!(tail.count(Code::CrowdedHalf), 0);
