@@ -7,6 +7,7 @@ use crate::geometry::{Bounds, Point, direction};
 use crate::plan::{OpeningKind, RoomOpening, RoomRef};
 use crate::walk::EmptyFloors;
 
+use super::arrangement::KnownArrangements;
 use super::choice::{Series, room_style};
 use super::furnished::Furnished;
 use super::lock::Lock;
@@ -33,6 +34,7 @@ pub(crate) struct RoomBrief<'a> {
     /// With [`Swings::Exact`].
     exact_surroundings: OnceCell<Surroundings<'a>>,
     empty_floors: EmptyFloors<'a>,
+    known_arrangements: KnownArrangements,
 }
 
 /// The data that is fixed for one alternative of a room: complete when it is made, the same for all attempts.
@@ -56,6 +58,8 @@ pub(crate) struct Brief<'a> {
     pub(crate) surroundings: &'a Surroundings<'a>,
     /// Where people walk in the empty room.
     pub(crate) empty_floors: &'a EmptyFloors<'a>,
+    /// What the room remembers of pieces that look for their places together.
+    pub(crate) known_arrangements: &'a KnownArrangements,
     /// The objects that somebody put in their places.
     pub(crate) locks: &'a [Lock],
     /// Which arrangement is wanted, and where somebody says that agents fit.
@@ -95,6 +99,7 @@ impl<'a> RoomBrief<'a> {
             surroundings: OnceCell::new(),
             exact_surroundings: OnceCell::new(),
             empty_floors: EmptyFloors::new(at, &catalog.audit),
+            known_arrangements: KnownArrangements::default(),
         })
     }
 
@@ -106,7 +111,7 @@ impl<'a> RoomBrief<'a> {
         } else {
             self.exact_surroundings.get_or_init(|| self.surroundings_with(Swings::Exact))
         };
-        let Self { catalog, style: style_ref, key, at, pieces, substitutes, locks, empty_floors, .. } = self;
+        let Self { catalog, style: style_ref, key, at, pieces, substitutes, locks, .. } = self;
         Brief {
             catalog,
             style: &catalog.styles[*style_ref],
@@ -116,7 +121,8 @@ impl<'a> RoomBrief<'a> {
             pieces,
             substitutes,
             surroundings,
-            empty_floors,
+            empty_floors: &self.empty_floors,
+            known_arrangements: &self.known_arrangements,
             locks,
             alternative,
         }

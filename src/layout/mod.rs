@@ -16,6 +16,7 @@
 
 mod agent;
 mod arrange;
+mod arrangement;
 mod at_wall;
 mod attempt;
 mod body;

@@ -10,6 +10,8 @@ use super::footprint::{Footprint, Part};
 
 /// Metres that boxes must be apart for their contents to be: more than rounding makes of contact.
 const APART: f64 = 1e-9;
+/// Metres by which a border or a body enters a part for certain.
+const SLACK: f64 = 2.0 * ROUNDING;
 /// Edges of polygons that a point is compared with in the time of one other step.
 const EDGES_A_STEP: u64 = 4;
 
@@ -83,35 +85,52 @@ impl<'s, 'a> Space<'s, 'a> {
         self.empty.budget.spend(steps);
     }
 
-    /// About what one place of a piece of so many parts takes: for each, whether its middle is inside, twice, and whether
-    /// a border is near.
+    /// About what one place of a piece of so many parts takes: for each, whether its middle is inside, and how near the
+    /// next border is.
     pub(super) fn steps_a_spot(&self, parts: usize) -> u64 {
         let inside = 1 + self.borders.len() as u64 / EDGES_A_STEP;
         parts as u64 * (2 * inside + EDGES_A_STEP)
     }
 
-    /// Metres around a place within which a piece of these parts cannot stand either, where that is seen without looking
-    /// at the whole piece: a border is nearer to the middle of a part than any of its edges, or the middle is outside.
+    /// Metres around a place nearer than which a piece of these parts, the first its body, can stand nowhere; zero where that is known of
+    /// the place alone, none where the piece may stand there.
     pub(super) fn blocked_around(&self, parts: &[Part], position: Point) -> Option<f64> {
-        /// Metres by which a border enters a part for certain.
-        const SLACK: f64 = 2.0 * ROUNDING;
-        if let Some(depth) = self.depth_behind_line(position).filter(|&depth| depth > 0.0) {
-            return Some(depth - SLACK);
+        let body = &parts[0];
+        let each_part = |question: &dyn Fn(&Footprint) -> Option<f64>| {
+            parts.iter().find_map(|part| question(&part.footprint.moved(position)))
+        };
+        // What is asked most quickly, and of what most is seen, first.
+        self.behind_line(&body.footprint.moved(position))
+            .or_else(|| parts.iter().find_map(|part| self.outside(part, position)))
+            .or_else(|| each_part(&|footprint| self.in_bodies(footprint)))
+            // The body keeps out of the doors' ways; its clearances may share them.
+            .or_else(|| self.in_door_zones(&body.footprint.moved(position)))
+            .or_else(|| each_part(&|footprint| self.is_cut(footprint).then_some(0.0)))
+    }
+
+    /// Metres that the body of a piece must move at least to be to the left of the line.
+    fn behind_line(&self, body: &Footprint) -> Option<f64> {
+        let line = self.line?;
+        let depths = body.corners.iter().map(|&corner| line.right_of(corner));
+        let deepest = depths.fold(f64::NEG_INFINITY, f64::max);
+        (deepest > 0.0).then_some(deepest - SLACK)
+    }
+
+    /// Metres that a part must move at least to be inside, where it is seen without looking at the whole of it that it is not: a border
+    /// is nearer to its middle than any of its edges, or the middle is outside.
+    fn outside(&self, part: &Part, position: Point) -> Option<f64> {
+        let middle = position + part.middle;
+        let (distance, looked_at) = self.borders.distance(middle);
+        self.spend(looked_at);
+        if distance < part.radius - SLACK {
+            // At all places nearer than that the border is inside the part as well.
+            Some(part.radius - SLACK - distance)
+        } else if self.contains(middle) {
+            None
+        } else {
+            // Outside, and no border nearer: so is all around it up to there.
+            Some(distance - SLACK)
         }
-        parts.iter().find_map(|part| {
-            let middle = position + part.middle;
-            let (distance, looked_at) = self.borders.distance(middle);
-            self.spend(looked_at);
-            if distance < part.radius - SLACK {
-                // All places nearer than that have the border inside the part as well: the search leaps over them.
-                Some(part.radius - SLACK - distance)
-            } else if self.contains(middle) {
-                None
-            } else {
-                // Outside, and no border nearer: so is all around it up to there.
-                Some(distance - SLACK)
-            }
-        })
     }
 
     fn contains(&self, point: Point) -> bool {
@@ -119,25 +138,9 @@ impl<'s, 'a> Space<'s, 'a> {
         self.empty.at.room.region.contains(point)
     }
 
-    /// Whether a piece of these parts, the first its body, may stand at a place.
-    pub(super) fn is_free(&self, parts: &[Part], position: Point) -> bool {
-        // The middle decides most positions; the rest is asked only where it is inside.
-        !self.crosses_line(&[position])
-            && self.contains(position)
-            && parts.iter().enumerate().all(|(number, part)| {
-                // The body keeps out of the doors' ways; its clearances may share them.
-                let footprint = part.footprint.moved(position);
-                let is_body = number == 0;
-                self.is_clear(&footprint)
-                    && self.is_inside(&footprint)
-                    && !(is_body && (self.blocks_a_door(&footprint) || self.crosses_line(&footprint.corners)))
-            })
-    }
-
-    fn is_inside(&self, footprint: &Footprint) -> bool {
-        // A corner may lie on a border, where it is neither in nor out.
-        let middle = middle(&footprint.corners);
-        self.contains(middle) && !self.is_in_column(middle) && !self.is_crossed(footprint)
+    /// Whether a border runs through a footprint, or it is in a column.
+    fn is_cut(&self, footprint: &Footprint) -> bool {
+        self.is_in_column(middle(&footprint.corners)) || self.is_crossed(footprint)
     }
 
     fn is_in_column(&self, point: Point) -> bool {
@@ -155,33 +158,27 @@ impl<'s, 'a> Space<'s, 'a> {
         is_crossed
     }
 
-    fn is_clear(&self, footprint: &Footprint) -> bool {
-        let Some(grid) = &self.body_grid else { return true };
-        let mut looked_at = 0;
+    /// Metres that a footprint must move at least to be out of a body that it is in.
+    fn in_bodies(&self, footprint: &Footprint) -> Option<f64> {
+        let grid = self.body_grid.as_ref()?;
+        let (mut looked_at, mut depth) = (0, 0.0);
         let is_met = grid.any(footprint.bounds, |number| {
             let body = self.bodies[number as usize];
             looked_at += 1;
-            body.bounds.overlaps(footprint.bounds, 0.0)
-                && penetration(body.footprint(), &footprint.corners) > 0.0
+            if body.bounds.overlaps(footprint.bounds, 0.0) {
+                depth = penetration(body.footprint(), &footprint.corners);
+            }
+            depth > 0.0
         });
         self.spend(looked_at);
-        !is_met
+        is_met.then_some(depth - SLACK)
     }
 
-    /// Metres that a point lies to the right of the line.
-    fn depth_behind_line(&self, point: Point) -> Option<f64> {
-        self.line.map(|line| line.right_of(point))
-    }
-
-    fn crosses_line(&self, corners: &[Point]) -> bool {
-        corners.iter().any(|&corner| self.depth_behind_line(corner).is_some_and(|depth| depth > 0.0))
-    }
-
-    fn blocks_a_door(&self, footprint: &Footprint) -> bool {
+    /// Metres that a footprint must move at least to be out of a door's way that it is in.
+    fn in_door_zones(&self, footprint: &Footprint) -> Option<f64> {
         self.spend(self.door_zones.len() as u64);
-        let meets = |(zone, bounds): &(Vec<Point>, Bounds)| {
-            bounds.overlaps(footprint.bounds, -APART) && penetration(zone, &footprint.corners) > 0.0
-        };
-        self.door_zones.iter().any(meets)
+        let near = self.door_zones.iter().filter(|(_, bounds)| bounds.overlaps(footprint.bounds, -APART));
+        let mut depths = near.map(|(zone, _)| penetration(zone, &footprint.corners));
+        depths.find(|&depth| depth > 0.0).map(|depth| depth - SLACK)
     }
 }

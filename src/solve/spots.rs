@@ -43,7 +43,7 @@ impl Space<'_, '_> {
                     return false;
                 }
                 let parts = turned.to(spot.angle);
-                if self.is_free(parts, spot.position) && is_it(spot, parts) {
+                if self.blocked_around(parts, spot.position).is_none() && is_it(spot, parts) {
                     return true;
                 }
             }
@@ -80,10 +80,7 @@ impl Space<'_, '_> {
                 // With this place all others are refused that are as near as the answer says.
                 if let Some(metres) = self.blocked_around(parts, position) {
                     number += (metres / step) as u32;
-                    continue;
-                }
-                let spot = Spot { position, angle, wall: None };
-                if self.is_free(parts, position) && is_it(spot, parts) {
+                } else if is_it(Spot { position, angle, wall: None }, parts) {
                     return true;
                 }
             }

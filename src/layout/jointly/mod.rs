@@ -14,10 +14,11 @@ mod tests;
 
 use super::agent::State;
 use super::arrange::{area, in_its_look, sizes_by, take_size};
+use super::arrangement::{Arrangement, FoundArrangements, Standing};
 use super::at_wall::Spot;
 use super::environment::Environment;
 use super::locked::is_locked;
-use super::place::{AgentIndex, ParentPart, Place};
+use super::place::{AgentIndex, ParentPart};
 use super::rules::{self, Line, Score, free_stretches, steps_along};
 use super::seed::{Purpose, RoomKey, Stream};
 use super::suggested::suggestion;
@@ -57,14 +58,6 @@ const NICHE: f64 = 4.0;
 /// Points lost for a piece that stands in for another: as much as for a smaller size. More, and trays stay between open sides.
 const STAND_IN: f64 = 4.0;
 
-/// A piece at its place.
-#[derive(Clone, Debug)]
-struct Standing {
-    agent: AgentIndex,
-    variant: u32,
-    place: Place,
-}
-
 /// A place that the next piece could take.
 struct Way {
     standing: Standing,
@@ -73,49 +66,75 @@ struct Way {
     is_poor: bool,
 }
 
-/// Where the first few pieces stand.
-#[derive(Clone, Debug, Default)]
-struct Arrangement {
-    standings: Vec<Standing>,
-    points: f64,
-}
-
 /// The part of the room that a piece of a class stands at, and whether its size only fills niches: where it takes so much that the
 /// next has no good place, the usual sizes are still there.
 type Outline = (ClassIndex, ParentPart, bool);
 
-impl Arrangement {
-    /// What stands where: arrangements that agree in this look alike.
-    fn outline(&self, environment: &Environment<'_>) -> Vec<Outline> {
-        let of = |standing: &Standing| {
-            let class = environment.agents[standing.agent].piece.class;
-            let fills = standing.variant >= environment.class(standing.agent).common_variant_count();
-            (class, standing.place.parent, fills)
-        };
-        self.standings.iter().map(of).collect()
-    }
+/// What stands where: arrangements that agree in this look alike.
+fn outline(environment: &Environment<'_>, arrangement: &Arrangement) -> Vec<Outline> {
+    let of = |standing: &Standing| {
+        let class = environment.agents[standing.agent].piece.class;
+        let fills = standing.variant >= environment.class(standing.agent).common_variant_count();
+        (class, standing.place.parent, fills)
+    };
+    arrangement.standings.iter().map(of).collect()
 }
 
-/// Lets the pieces of the room that belong together rest where they stand best as a whole.
+/// Lets the pieces of the room that belong together rest where they stand best as a whole: each attempt at a room takes the best
+/// arrangement of another outline, for something was wrong with those before.
 pub(crate) fn settle_jointly(environment: &mut Environment<'_>, key: &RoomKey) {
     let agents = joint_agents(environment);
     if agents.len() < 2 || agents.iter().any(|&agent| suggestion(environment, agent).is_some()) {
         return;
     }
+    let chosen = at_turn_of_first_search(environment, &agents).or_else(|| {
+        let found = search(environment, &agents, key);
+        let kinds = kinds(environment, &found.best_first);
+        kinds.get(environment.turn).or(kinds.last()).map(|&kind| kind.clone())
+    });
+    if let Some(chosen) = chosen {
+        stand(environment, &chosen);
+        chosen.standings.iter().for_each(|standing| niche::fill_niche(environment, standing.agent));
+    }
+}
+
+/// The arrangement that this attempt takes of those that the first attempt found. None where these are too few, or where it is not known
+/// to find the same room: where others rest than locked pieces, or somebody says where some fit.
+fn at_turn_of_first_search(environment: &mut Environment<'_>, agents: &[AgentIndex]) -> Option<Arrangement> {
+    let brief = environment.brief;
+    let mut resting =
+        (0..environment.agents.len()).filter(|&agent| environment.agents[agent].rest().is_some());
+    if !brief.alternative.suggestions.is_empty() || !resting.all(|agent| is_locked(environment, agent)) {
+        return None;
+    }
+    let before = environment.steps();
+    if environment.trace.is_some() {
+        // Found once more, for the notes of what the agents meet.
+        let found = search(environment, agents, brief.key);
+        return kinds(environment, &found.best_first).get(environment.turn).map(|&kind| kind.clone());
+    }
+    let found = brief
+        .known_arrangements
+        .get_or_find(environment.heeds_tags, || search(environment, agents, brief.key));
+    // As many as if it was searched for: what comes of a room does not depend on what was made of it before.
+    environment.count_steps(before + found.steps - environment.steps());
+    kinds(environment, &found.best_first).get(environment.turn).map(|&kind| kind.clone())
+}
+
+/// Finds arrangements of some agents (a beam search).
+fn search(environment: &mut Environment<'_>, agents: &[AgentIndex], key: &RoomKey) -> FoundArrangements {
+    let before = environment.steps();
     let mut stream = key.stream(Purpose::Placement, "jointly", 0);
     let mut arrangements = vec![Arrangement::default()];
-    for agent in agents {
+    for &agent in agents {
         let longer = arrangements.iter().flat_map(|begun| go_on(environment, begun, agent, &mut stream));
         arrangements = longer.collect();
         // Stable: of equal points the earlier one comes first.
         arrangements.sort_by(|a, b| b.points.total_cmp(&a.points));
         arrangements = unlike(environment, arrangements);
     }
-    arrangements = by_taste(environment, arrangements, &mut stream);
-    if let Some(chosen) = at_turn(environment, &arrangements) {
-        stand(environment, chosen);
-        chosen.standings.iter().for_each(|standing| niche::fill_niche(environment, standing.agent));
-    }
+    let best_first = by_taste(environment, arrangements, &mut stream);
+    FoundArrangements { best_first, steps: environment.steps() - before }
 }
 
 /// The pieces that are placed together, in the order of their priority, large before small.
@@ -139,7 +158,7 @@ fn joint_agents(environment: &Environment<'_>) -> Vec<AgentIndex> {
 fn unlike(environment: &Environment<'_>, best_first: Vec<Arrangement>) -> Vec<Arrangement> {
     let mut kept: Vec<(Arrangement, Vec<Outline>)> = Vec::with_capacity(ARRANGEMENTS);
     for arrangement in best_first {
-        let outline = arrangement.outline(environment);
+        let outline = outline(environment, &arrangement);
         if kept.iter().filter(|(_, other)| *other == outline).count() < ALIKE && kept.len() < ARRANGEMENTS {
             kept.push((arrangement, outline));
         }
@@ -181,19 +200,18 @@ fn is_one(environment: &Environment<'_>, one: &Arrangement, other: &Arrangement)
         })
 }
 
-/// The best arrangement; a later attempt at the room takes the best of another outline, for something was wrong with the
-/// first.
-fn at_turn<'a>(environment: &Environment<'_>, best_first: &'a [Arrangement]) -> Option<&'a Arrangement> {
+/// The best of each outline, the best outline first.
+fn kinds<'f>(environment: &Environment<'_>, best_first: &'f [Arrangement]) -> Vec<&'f Arrangement> {
     let mut seen = Vec::new();
     let mut kinds: Vec<&Arrangement> = Vec::new();
     for arrangement in best_first {
-        let outline = arrangement.outline(environment);
+        let outline = outline(environment, arrangement);
         if !seen.contains(&outline) {
             seen.push(outline);
             kinds.push(arrangement);
         }
     }
-    kinds.get(environment.turn.min(kinds.len().checked_sub(1)?)).copied()
+    kinds
 }
 
 /// The arrangements that come of one when another piece is placed; without it if there is no place.
