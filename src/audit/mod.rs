@@ -78,7 +78,7 @@ pub(crate) fn judge(
     let comfort = comfort_takings(subject, &zones, &hits);
     let floor = checks::floor(subject);
     // What the checks find, by code; how good the room is beside that.
-    let (collisions, hits, floor) = (&collisions, &hits, floor.as_ref());
+    let (collisions, hits, floor) = (&collisions, &hits, floor.as_deref());
     let evidence = Evidence { subject, zones: &zones, hits, collisions, comfort: &comfort, floor, ask };
     let findings = finding::findings(checks::faults(&evidence));
     let rates = floor.map_or_else(Vec::new, |floor| checks::rates(subject, floor));

@@ -18,8 +18,9 @@ const CELLS_PER_PLACE: usize = 7;
 /// Keeps a place to turn. Whether there is none although the empty room has one.
 pub(crate) fn lacks_turn(environment: &mut Environment<'_>, key: &RoomKey) -> bool {
     let rules = environment.brief.catalog.audit.access;
-    let Some(empty) = environment.brief.empty_floors.wheelchair() else { return false };
-    let floor = empty.with(&environment.brief.catalog.audit.walking, environment.solids());
+    let floors = environment.brief.empty_floors;
+    let Some(empty) = floors.wheelchair() else { return false };
+    let Some(floor) = floors.wheelchair_among(environment.solids()) else { return false };
     let free = floor.walk(rules.walkway).wide_places(rules.turning).next();
     if let Some(place) = free {
         keep(environment, place);

@@ -101,19 +101,20 @@ fn all_closed_ways(environment: &Environment<'_>) -> Vec<ClosedWay> {
     let rules = &environment.brief.catalog.audit;
     let floors = environment.brief.empty_floors;
     let mut ways = Vec::new();
-    if let Some(empty) = floors.walking() {
-        let floor = empty.with(&rules.walking, environment.solids());
+    if let (Some(empty), Some(floor)) = (floors.walking(), floors.walking_among(environment.solids())) {
         ways.extend(closed_ways(environment, &rules.walking, [&floor, empty]));
         ways.extend(closed_ways_past_leaves(environment, &floor));
     }
-    if let (Access::Wheelchair, Some(empty)) = (environment.brief.style.access, floors.wheelchair()) {
+    let asks = environment.brief.style.access == Access::Wheelchair;
+    if let Some(empty) = floors.wheelchair().filter(|_| asks)
+        && let Some(floor) = floors.wheelchair_among(environment.solids())
+    {
         // Where the plan is too narrow for a wheelchair, the width of a person is asked for.
         let wheelchair = WalkingRules {
             person: rules.access.walkway,
             narrow_person: rules.walking.person,
             ..rules.walking
         };
-        let floor = empty.with(&wheelchair, environment.solids());
         ways.extend(closed_ways(environment, &wheelchair, [&floor, empty]));
     }
     ways

@@ -4,9 +4,11 @@ use core::cell::OnceCell;
 use std::rc::Rc;
 
 use crate::catalog::AuditRules;
+use crate::geometry::Solid;
 use crate::plan::RoomRef;
 
 use super::floor::Floor;
+use super::furnished::furnished;
 use super::leaves::OpenLeaves;
 
 /// The floors of an empty room, for people and for wheelchairs: each is made where it is first asked for, and serves all
@@ -49,7 +51,21 @@ impl<'a> EmptyFloors<'a> {
 
     /// The floor for wheelchairs; `None` where no door leads in.
     pub(crate) fn wheelchair(&self) -> Option<&Floor> {
-        self.wheelchair.get_or_init(|| Floor::empty_for_wheelchair(self.at, self.rules)).as_deref()
+        self.shared_wheelchair().map(Rc::as_ref)
+    }
+
+    fn shared_wheelchair(&self) -> Option<&Rc<Floor>> {
+        self.wheelchair.get_or_init(|| Floor::empty_for_wheelchair(self.at, self.rules)).as_ref()
+    }
+
+    /// The floor for people with some solids on it; `None` where no door leads in.
+    pub(crate) fn walking_among<'s>(&self, solids: impl Iterator<Item = &'s Solid>) -> Option<Rc<Floor>> {
+        Some(furnished(self.shared_walking()?, &self.rules.walking, solids))
+    }
+
+    /// The same for wheelchairs.
+    pub(crate) fn wheelchair_among<'s>(&self, solids: impl Iterator<Item = &'s Solid>) -> Option<Rc<Floor>> {
+        Some(furnished(self.shared_wheelchair()?, &self.rules.walking, solids))
     }
 }
 
@@ -58,6 +74,7 @@ mod tests {
     use super::*;
     use crate::catalog::AuditRules;
     use crate::geometry::Point;
+    use crate::geometry::Solid;
     use crate::plan::{LeafDraft, Level, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, RoomDraft};
 
     /// A room with a door in the middle of its first wall.

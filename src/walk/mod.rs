@@ -8,6 +8,7 @@
 
 mod empty;
 mod floor;
+mod furnished;
 mod gaps;
 mod known;
 mod leaves;

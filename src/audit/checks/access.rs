@@ -5,6 +5,8 @@
 //! A wheelchair is a disc of its walkway's width on the grid of `unreachable`, and is at a door wherever it has that
 //! width before it, for doors are narrower than ways.
 
+use std::rc::Rc;
+
 use crate::catalog::Access;
 use crate::walk::{CELL, Floor};
 
@@ -16,11 +18,11 @@ use crate::audit::quantity::Quantity;
 use crate::audit::subject::Subject;
 
 /// The floor of a room with some furniture and without it, where the style asks for access.
-fn floors<'s>(subject: &'s Subject<'_>) -> Option<(Floor, &'s Floor)> {
+fn floors<'s>(subject: &'s Subject<'_>) -> Option<(Rc<Floor>, &'s Floor)> {
     let asks = subject.style().access == Access::Wheelchair;
     let is_judged = asks && !subject.bodies.is_empty();
     let empty = subject.empty_floors.wheelchair().filter(|_| is_judged)?;
-    Some((empty.with(&subject.rules().walking, subject.obstacles()), empty))
+    Some((subject.empty_floors.wheelchair_among(subject.obstacles())?, empty))
 }
 
 /// Whether a wheelchair has nowhere to turn.

@@ -3,6 +3,8 @@
 //!
 //! Widths are known to a cell of the floor: 5 cm, in rooms whose box has more than 28,000 m² 10, above 112,000 m² 15.
 
+use std::rc::Rc;
+
 use crate::walk::{CELL, Floor, Goal};
 
 use crate::audit::evidence::Evidence;
@@ -37,11 +39,10 @@ pub(crate) type Rates = Vec<(usize, f64)>;
 
 /// The floor that people walk on; `None` without doors or without bodies in the way, where there is nothing to
 /// judge.
-pub(crate) fn floor(subject: &Subject<'_>) -> Option<Floor> {
+pub(crate) fn floor(subject: &Subject<'_>) -> Option<Rc<Floor>> {
     let rules = &subject.rules().walking;
     let has_bodies = subject.bodies.iter().any(|body| body.low() < rules.body_height);
-    let empty = subject.empty_floors.walking().filter(|_| has_bodies)?;
-    Some(empty.with(rules, subject.obstacles()))
+    has_bodies.then(|| subject.empty_floors.walking_among(subject.obstacles())).flatten()
 }
 
 /// The walkable rates of the doors.

@@ -237,6 +237,36 @@ fn of_arrangements_that_are_nearly_as_good_each_has_seeds_that_choose_it() {
 }
 
 #[test]
+fn an_alternative_is_the_same_whatever_was_made_before_it() {
+    let level = bathroom(2.2, 2.4, &[2]);
+    for seed in 0..4 {
+        let options = FurnishOptions::new(seed, "test");
+        let room = || RoomLayout::new(level.room(0), builtin_catalog(), &options);
+        let shared = room();
+        let numbers = (0..6).rev().map(Alternative::numbered);
+        let made: Vec<Counted> = numbers
+            .map(|alternative| {
+                let counted = shared.furnish(&alternative);
+                assert_eq!(counted, room().furnish(&alternative), "{seed} {alternative:?}");
+                assert_eq!(counted.furnished, room().explain(&alternative).0, "{seed} {alternative:?}");
+                counted
+            })
+            .collect();
+        let kind = |counted: &Counted| {
+            let placements = counted.furnished.placements.iter();
+            placements.map(|placement| (placement.class, placement.parent)).collect::<Vec<_>>()
+        };
+        let kinds = made.iter().map(kind).fold(Vec::new(), |mut kinds, kind| {
+            if !kinds.contains(&kind) {
+                kinds.push(kind);
+            }
+            kinds
+        });
+        assert!(kinds.len() >= 4, "seed {seed}: {} kinds", kinds.len());
+    }
+}
+
+#[test]
 fn a_bed_for_one_has_a_long_side_at_a_wall() {
     let catalog = builtin_catalog();
     let mut level = bathroom(3.4, 3.6, &[]);

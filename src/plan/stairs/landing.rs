@@ -1,7 +1,5 @@
 //! The floor of a room of stairs that is left to walk on.
 
-use std::collections::VecDeque;
-
 use crate::geometry::{Bounds, Point, distance_to_convex};
 use crate::plan::Room;
 
@@ -76,8 +74,22 @@ impl Floor {
             self.close(&mut open, bounds, |at| distance_to_convex(ring, at) < BODY);
         }
         let Some(start) = self.nearest(&open, first) else { return false };
-        let reached = self.reached(&open, start);
-        others.iter().all(|&place| self.nearest(&reached, place).is_some())
+        // Most of what is not joined has no floor at all before it.
+        if others.iter().any(|&place| self.nearest(&open, place).is_none()) {
+            return false;
+        }
+        open[start] = false;
+        let (mut next, mut missed) = (vec![start], others.to_vec());
+        while let Some(index) = next.pop() {
+            let here = self.middle(index);
+            missed.retain(|place| here.distance_squared(*place) > NEAR * NEAR);
+            if missed.is_empty() {
+                return true;
+            }
+            // What was reached is closed behind.
+            next.extend(self.beside(index).filter(|&cell| core::mem::replace(&mut open[cell], false)));
+        }
+        false
     }
 
     /// The cell nearest to a place, of some.
@@ -88,25 +100,15 @@ impl Floor {
         near.min_by(|&one, &other| distance(one).total_cmp(&distance(other)))
     }
 
-    fn reached(&self, open: &[bool], start: usize) -> Vec<bool> {
-        let mut reached = vec![false; open.len()];
-        reached[start] = true;
-        let mut next = VecDeque::from([start]);
-        while let Some(index) = next.pop_front() {
-            let (column, row) = (index % self.columns, index / self.columns);
-            let neighbours = [
-                (column > 0).then(|| index - 1),
-                (column + 1 < self.columns).then(|| index + 1),
-                (row > 0).then(|| index - self.columns),
-                (row + 1 < self.rows).then(|| index + self.columns),
-            ];
-            for neighbour in neighbours.into_iter().flatten() {
-                if open[neighbour] && !reached[neighbour] {
-                    reached[neighbour] = true;
-                    next.push_back(neighbour);
-                }
-            }
-        }
-        reached
+    /// The cells that share a side with one.
+    fn beside(&self, index: usize) -> impl Iterator<Item = usize> {
+        let (column, row) = (index % self.columns, index / self.columns);
+        let neighbours = [
+            (column > 0).then(|| index - 1),
+            (column + 1 < self.columns).then(|| index + 1),
+            (row > 0).then(|| index - self.columns),
+            (row + 1 < self.rows).then(|| index + self.columns),
+        ];
+        neighbours.into_iter().flatten()
     }
 }
