@@ -1,8 +1,7 @@
 //! The loose parts of a primitive, and whether they are boxes.
 
-use std::collections::HashMap;
-
 use glam::Vec3;
+use hashbrown::HashMap;
 
 use super::coarse::Extent;
 use crate::geometry::DisjointSets;

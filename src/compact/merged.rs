@@ -1,9 +1,10 @@
 //! Merges meshes: all triangles of one material become one primitive, in the frame of the level.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
+use hashbrown::HashMap;
 
 use super::Shown;
 use super::coarse::Seen;

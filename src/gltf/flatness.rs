@@ -1,8 +1,7 @@
 //! Finds surfaces that look the same without normals.
 
-use std::collections::HashMap;
-
 use glam::Vec3;
+use hashbrown::HashMap;
 
 use crate::geometry::DisjointSets;
 use crate::model::Primitive;

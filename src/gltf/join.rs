@@ -1,8 +1,7 @@
 //! Joins corners of a primitive that faces can share.
 
-use std::collections::HashMap;
-
 use crate::model::Primitive;
+use hashbrown::HashMap;
 
 /// Whether corners have colours.
 pub(super) fn has_colors(primitive: &Primitive) -> bool {

@@ -1,7 +1,8 @@
 //! Remembers what is made for the shapes of rooms: the levels of a tower are drawn once and stand there fifty times.
 
-use std::collections::HashMap;
 use std::rc::Rc;
+
+use hashbrown::HashMap;
 
 use crate::geometry::Segment;
 use crate::plan::{RoomOpening, RoomRef};

@@ -124,13 +124,12 @@ impl<'l> Storey<'l> {
         Self { room, goes_up, comes_up, doors: walkable.map(door).collect(), floor: OnceCell::new() }
     }
 
-    /// Whether stairs may stand there.
-    fn holds(&self, fitted: &Fitted) -> bool {
+    /// Whether there is room for stairs, and before their ends.
+    fn has_room_for(&self, fitted: &Fitted) -> bool {
         let bodies = fitted.boxes();
         self.is_clear_of_doors(fitted, &bodies)
             && bodies.iter().all(|body| self.is_clear(body))
             && fitted.ends(self).into_iter().all(|end| self.is_clear_before(fitted, end, &bodies))
-            && self.is_joined(fitted, &bodies)
     }
 
     /// Whether a body is in the room and in no obstacle.
@@ -176,13 +175,13 @@ impl<'l> Storey<'l> {
     }
 
     /// Whether one gets from each door to both ends of the stairs.
-    fn is_joined(&self, fitted: &Fitted, bodies: &[Convex]) -> bool {
+    fn is_joined(&self, fitted: &Fitted) -> bool {
         let ends = fitted.ends(self);
         let inner = ends.iter().filter(|end| !self.is_in_doorway(fitted, **end));
         let stands = inner.map(|end| end.middle() - end.normal() * (STAND / 2.0));
         let doors = self.doors.iter().filter(|door| !ends.iter().any(|end| fitted.begins_at(door, *end)));
         let places: Vec<Point> = stands.chain(doors.map(|door| door.stand)).collect();
-        let bodies: Vec<Vec<Point>> = bodies.iter().map(|body| body.corners().to_vec()).collect();
+        let bodies: Vec<Vec<Point>> = fitted.boxes().iter().map(|body| body.corners().to_vec()).collect();
         self.floor.get_or_init(|| Floor::of(self.room)).joins(&places, &bodies)
     }
 }
@@ -242,7 +241,11 @@ pub(super) fn fit(storeys: &[Storey<'_>], rise: f64) -> Option<Fitted> {
     let headings: Vec<Heading> = walls.headings();
     let places =
         DESIGNS.iter().flat_map(|design| headings.iter().flat_map(|heading| heading.places(design, rise)));
-    places.take(MOST_PLACES).find(|fitted| storeys.iter().all(|storey| storey.holds(fitted)))
+    // Ways take longest to find: they are looked for where there is room on all storeys.
+    places.take(MOST_PLACES).find(|fitted| {
+        storeys.iter().all(|storey| storey.has_room_for(fitted))
+            && storeys.iter().all(|storey| storey.is_joined(fitted))
+    })
 }
 
 /// The longer walls of a room, the longest first.
