@@ -74,7 +74,6 @@ mod tests {
     use super::*;
     use crate::catalog::AuditRules;
     use crate::geometry::Point;
-    use crate::geometry::Solid;
     use crate::plan::{LeafDraft, Level, LevelDraft, OpeningDraft, OpeningKind, OpeningPlace, RoomDraft};
 
     /// A room with a door in the middle of its first wall.
