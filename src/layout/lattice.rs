@@ -73,11 +73,32 @@ pub(crate) struct Slots {
     pub(crate) first: usize,
     /// How many slots the block has.
     pub(crate) in_block: usize,
+    /// How many were proposed before.
+    pub(crate) before: usize,
 }
 
 impl Slots {
+    /// Slots that are proposed at once. Nearly all agents take one of these: the others are worked out where they do not.
+    const AT_ONCE: usize = 8;
+
+    /// Those of the first proposals, beginning with a slot.
+    pub(crate) fn from(first: usize, in_block: usize) -> Self {
+        Self { first, in_block, before: 0 }
+    }
+
+    /// Those of all other proposals.
+    pub(crate) fn others(self) -> Self {
+        Self { before: self.before + self.at_once(), ..self }
+    }
+
+    /// How many slots of the block are proposed at once.
+    pub(crate) fn at_once(self) -> usize {
+        self.in_block.min(Self::AT_ONCE)
+    }
+
     /// The slot of a proposal.
     pub(crate) fn slot(self, proposal: usize) -> usize {
+        let proposal = self.before + proposal;
         if proposal < self.in_block { (proposal + self.first) % self.in_block } else { proposal }
     }
 }

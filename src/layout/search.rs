@@ -52,6 +52,11 @@ pub(crate) fn search(
             choice.taste = if rule.orientation.turn == Turn::Facing { 0.0 } else { TASTE * taste.unit() };
             let slots = rules::propose(&view, key, &mut stream, &mut poses);
             choice.consider(&view, &poses, slots, &mut failures);
+            if let Some(slots) = slots.filter(|_| choice.left > 0) {
+                poses.clear();
+                let others = rules::propose_other_slots(&view, key, slots, &mut poses);
+                choice.consider(&view, &poses, others, &mut failures);
+            }
             if may_scan && choice.best.is_none_or(|(score, _)| score.is_poor()) {
                 poses.clear();
                 rules::propose_rows(&view, key, &mut poses);

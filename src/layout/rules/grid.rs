@@ -29,26 +29,44 @@ const MOST_BLOCKS: usize = 18;
 /// box of a room with a corner cut off may have no more places than it has lamps.
 const CLOSER: [f64; 4] = [1.0, 0.88, 0.78, 0.68];
 
-/// Poses on the lattice of the agent's class, starting with the first that no neighbour holds; and which slots of it they are.
+/// The first poses on the lattice of the agent's class, starting with the first that no neighbour holds; and which slots of it they are.
 pub(super) fn propose(view: &View<'_>, grid: &Grid, key: &RoomKey, poses: &mut Vec<Pose>) -> Slots {
     let lattice = lattice_of(view, grid, key);
-    let Lattice { members, axes, block, .. } = &lattice;
     let resting = view.environment.resting[view.environment.agents[view.agent].piece.class].len();
-    let total = block.len() * members.len();
     // Each agent begins behind those that rest, where its own slot is usually free.
-    let slots = Slots { first: resting, in_block: total };
-    // Members look the same way at all places: their directions are worked out once.
-    let turned: Vec<Pose> = members.iter().map(|member| lattice.pose(Point::ZERO, member)).collect();
-    for slot in (0..total).map(|index| slots.slot(index)) {
-        let (place, member) = (slot / members.len(), slot % members.len());
-        let place = block.place(axes, place) + members[member].offset;
-        poses.push(Pose { position: lattice.frame.turn(place), ..turned[member] });
-    }
-    add_outside(*block, lattice.middles, axes, |point| {
-        poses.extend(members.iter().map(|member| lattice.pose(point, member)));
-    });
+    let slots = Slots::from(resting, lattice.block.len() * lattice.members.len());
+    add_of_block(&lattice, (0..slots.at_once()).map(|index| slots.slot(index)), poses);
     view.environment.begin_slots(view.agent, view.parent, lattice);
     slots
+}
+
+/// All other poses of the lattice: of its block, then around it; and which slots they are.
+pub(super) fn propose_others(
+    view: &View<'_>,
+    grid: &Grid,
+    key: &RoomKey,
+    slots: Slots,
+    poses: &mut Vec<Pose>,
+) -> Slots {
+    let lattice = lattice_of(view, grid, key);
+    let others = slots.others();
+    add_of_block(&lattice, (0..others.in_block - others.before).map(|index| others.slot(index)), poses);
+    add_outside(lattice.block, lattice.middles, &lattice.axes, |point| {
+        poses.extend(lattice.members.iter().map(|member| lattice.pose(point, member)));
+    });
+    others
+}
+
+/// Appends the poses of some slots of a block.
+fn add_of_block(lattice: &Lattice, slots: impl Iterator<Item = usize>, poses: &mut Vec<Pose>) {
+    let Lattice { members, axes, block, .. } = lattice;
+    // Members look the same way at all places: their directions are worked out once.
+    let turned: Vec<Pose> = members.iter().map(|member| lattice.pose(Point::ZERO, member)).collect();
+    poses.extend(slots.map(|slot| {
+        let (place, member) = (slot / members.len(), slot % members.len());
+        let place = block.place(axes, place) + members[member].offset;
+        Pose { position: lattice.frame.turn(place), ..turned[member] }
+    }));
 }
 
 /// Poses between the places of the lattice on its rows, then on its columns: who finds no place of its own stays in line with

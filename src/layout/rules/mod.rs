@@ -49,7 +49,8 @@ pub(crate) struct View<'a> {
     pub(crate) side: Side,
 }
 
-/// Appends the poses that an agent would take at a side of a parent, best first. Of a lattice, says which slots they are.
+/// Appends the poses that an agent would take at a side of a parent, best first; of a lattice the first few, and says which slots they
+/// are.
 pub(crate) fn propose(
     view: &View<'_>,
     key: &RoomKey,
@@ -73,6 +74,17 @@ pub(crate) fn propose(
         },
     }
     None
+}
+
+/// Appends all other poses of a lattice, and says which slots they are.
+pub(crate) fn propose_other_slots(
+    view: &View<'_>,
+    key: &RoomKey,
+    slots: Slots,
+    poses: &mut Vec<Pose>,
+) -> Option<Slots> {
+    let grid = view.class.grid.as_ref()?;
+    Some(grid::propose_others(view, grid, key, slots, poses))
 }
 
 /// Appends a scan along the rows in which the agent's class stands, if any: who found no place of its own stays in line.
