@@ -1,7 +1,8 @@
 //! Joins corners of a primitive that faces can share.
 
-use crate::model::Primitive;
 use hashbrown::HashMap;
+
+use crate::model::Primitive;
 
 /// Whether corners have colours.
 pub(super) fn has_colors(primitive: &Primitive) -> bool {

@@ -108,14 +108,15 @@ fn at_turn_of_first_search(environment: &mut Environment<'_>, agents: &[AgentInd
         return None;
     }
     let before = environment.steps();
-    if environment.trace.is_some() {
+    let noted;
+    let found = if environment.trace.is_some() {
         // Found once more, for the notes of what the agents meet.
-        let found = search(environment, agents, brief.key);
-        return kinds(environment, &found.best_first).get(environment.turn).map(|&kind| kind.clone());
-    }
-    let found = brief
-        .known_arrangements
-        .get_or_find(environment.heeds_tags, || search(environment, agents, brief.key));
+        noted = search(environment, agents, brief.key);
+        &noted
+    } else {
+        let heeds_tags = environment.heeds_tags;
+        brief.known_arrangements.get_or_find(heeds_tags, || search(environment, agents, brief.key))
+    };
     // As many as if it was searched for: what comes of a room does not depend on what was made of it before.
     environment.count_steps(before + found.steps - environment.steps());
     kinds(environment, &found.best_first).get(environment.turn).map(|&kind| kind.clone())
