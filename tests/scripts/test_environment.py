@@ -104,6 +104,12 @@ def test_a_command_asks_for_every_module_that_it_imports(module, environment):
     assert done.returncode == 0, done.stderr
 
 
+def test_what_judges_floors_alone_loads_no_usd():
+    code = "import sys, roomwright.validate; print('pxr' in sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT / "python", capture_output=True, text=True, check=True)
+    assert done.stdout == "False\n"
+
+
 @pytest.mark.parametrize("environment", [environments.TOOLS, environments.CONVERSION, environments.DRAWINGS])
 def test_an_extra_installs_every_module_of_its_command(environment):
     extras = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["optional-dependencies"]

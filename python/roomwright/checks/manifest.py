@@ -13,6 +13,7 @@ from .report import Fault
 from .schemas import file_record_schema, manifest_schema
 
 SCENE_ENDINGS = {".glb", ".gltf"}
+STAGE_ENDINGS = {".usd", ".usda", ".usdc", ".usdz"}
 
 
 class Entry(NamedTuple):

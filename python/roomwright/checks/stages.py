@@ -19,9 +19,8 @@ from pxr import Sdf, Tf, Usd, UsdGeom, UsdShade, UsdUtils, UsdValidation
 from ..resources import ForbiddenError, ResourceError, locate_path, reach_of, regular_file
 
 from .contract import PATH
+from .manifest import STAGE_ENDINGS
 from .report import Fault, Note
-
-ENDINGS = {".usd", ".usda", ".usdc", ".usdz"}
 
 
 def check_stage(file: Path, folder: Path | None = None) -> tuple[list[Fault], Counter]:
@@ -58,14 +57,14 @@ def check_named_files(file: Path, folder: Path | None) -> Iterator[Note]:
         for name in named_files(owner, owner.stat().st_mtime_ns):
             try:
                 named = locate_path(name, replace(reach, folder=owner.resolve().parent))
-                if named.suffix.lower() in ENDINGS and named not in seen:
+                if named.suffix.lower() in STAGE_ENDINGS and named not in seen:
                     seen.add(named)
                     pending.append(named)
             except ForbiddenError as error:
                 yield Note(PATH, "", f"{'it' if owner == first else owner.name} names a file that it may not: {error}")
             except ResourceError as error:
                 # Images that are missing are faults of the materials that read them.
-                if owner == first and Path(name).suffix.lower() in ENDINGS:
+                if owner == first and Path(name).suffix.lower() in STAGE_ENDINGS:
                     yield Note("file", "", f"it names {name!r}, which does not exist")
 
 
