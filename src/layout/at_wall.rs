@@ -5,31 +5,9 @@ use crate::layout::body::Pose;
 use crate::layout::environment::Environment;
 use crate::layout::place::{AgentIndex, ParentPart, Place};
 use crate::layout::rules::angle_of_front;
-
-/// Where the back of a piece is, in metres.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Spot {
-    /// Index of the wall.
-    pub(crate) wall: usize,
-    /// From the wall's start to the nearer side of the piece.
-    pub(crate) from: f64,
-    /// From the wall to the back: 0 but for what stands before an open side.
-    pub(crate) before: f64,
-    /// From the floor to the underside.
-    pub(crate) elevation: f64,
-}
+use crate::layout::spot::Spot;
 
 impl Spot {
-    /// On the floor, at a wall.
-    pub(crate) fn standing(wall: usize, from: f64) -> Self {
-        Self { wall, from, before: 0.0, elevation: 0.0 }
-    }
-
-    /// Whether it is before an open side, with no wall behind.
-    pub(crate) fn is_before_opening(&self) -> bool {
-        self.before > 0.0
-    }
-
     /// The pose of what has a size there.
     pub(crate) fn pose(&self, environment: &Environment<'_>, size: Size) -> Pose {
         let part = &environment.brief.surroundings.room.walls[self.wall];

@@ -9,6 +9,7 @@ use crate::walk::EmptyFloors;
 
 use super::arrangement::KnownArrangements;
 use super::choice::{Series, room_style};
+use super::fitted_row::KnownRows;
 use super::furnished::Furnished;
 use super::lock::Lock;
 use super::options::FurnishOptions;
@@ -35,6 +36,7 @@ pub(crate) struct RoomBrief<'a> {
     exact_surroundings: OnceCell<Surroundings<'a>>,
     empty_floors: EmptyFloors<'a>,
     known_arrangements: KnownArrangements,
+    known_rows: KnownRows,
 }
 
 /// The data that is fixed for one alternative of a room: complete when it is made, the same for all attempts.
@@ -60,6 +62,8 @@ pub(crate) struct Brief<'a> {
     pub(crate) empty_floors: &'a EmptyFloors<'a>,
     /// What the room remembers of pieces that look for their places together.
     pub(crate) known_arrangements: &'a KnownArrangements,
+    /// What it remembers of rows of fitted units.
+    pub(crate) known_rows: &'a KnownRows,
     /// The objects that somebody put in their places.
     pub(crate) locks: &'a [Lock],
     /// Which arrangement is wanted, and where somebody says that agents fit.
@@ -100,6 +104,7 @@ impl<'a> RoomBrief<'a> {
             exact_surroundings: OnceCell::new(),
             empty_floors: EmptyFloors::new(at, &catalog.audit),
             known_arrangements: KnownArrangements::default(),
+            known_rows: KnownRows::default(),
         })
     }
 
@@ -123,6 +128,7 @@ impl<'a> RoomBrief<'a> {
             surroundings,
             empty_floors: &self.empty_floors,
             known_arrangements: &self.known_arrangements,
+            known_rows: &self.known_rows,
             locks,
             alternative,
         }

@@ -524,6 +524,26 @@ fn no_alternative_depends_on_those_that_were_furnished_before_it() {
     }
 }
 
+/// In how many kinds of places the pieces of the first few alternatives of a room stand. Fails where one is not the same, steps
+/// included, made alone, after others of the room, and with an explanation.
+pub(super) fn kinds_of_alternatives(level: &Level, seed: u64) -> usize {
+    let options = FurnishOptions::new(seed, "test");
+    let room = || RoomLayout::new(level.room(0), builtin_catalog(), &options);
+    let shared = room();
+    let mut kinds = Vec::new();
+    for alternative in (0..6).rev().map(Alternative::numbered) {
+        let made = shared.furnish(&alternative);
+        assert_eq!(made, room().furnish(&alternative), "{seed} {alternative:?}");
+        assert_eq!(made.furnished, room().explain(&alternative).0, "{seed} {alternative:?}");
+        let placements = made.furnished.placements.iter();
+        let kind: Vec<_> = placements.map(|placement| (placement.class, placement.parent)).collect();
+        if !kinds.contains(&kind) {
+            kinds.push(kind);
+        }
+    }
+    kinds.len()
+}
+
 #[test]
 fn what_has_no_place_in_a_corridor_of_any_length_takes_a_bounded_number_of_steps() {
     let mut catalog = catalog(&[(4, Count::Fixed(1))], Untidiness::default());

@@ -5,22 +5,22 @@ use crate::geometry::{Intervals, Point, Solid};
 use crate::layout::arrange::take_size;
 use crate::layout::constants::CONTACT_TOLERANCE;
 use crate::layout::environment::Environment;
+use crate::layout::fitted_row::{FittedUnit, walls_of};
 use crate::layout::place::AgentIndex;
 use crate::layout::rules::floor_along;
+use crate::layout::spot::Spot;
 use crate::plan::OpeningKind;
 
-use super::lanes::{ROUNDING, Standing};
+use super::lanes::ROUNDING;
 use super::legs::Leg;
-use super::rows::Row;
 use super::units::{Unit, Units};
-use crate::layout::at_wall::Spot;
 
 /// Hangs the wall units of a room over the low units of a row, as many as there is room for.
-pub(super) fn hang(environment: &mut Environment<'_>, units: &Units, row: &Row) {
+pub(super) fn hang(environment: &mut Environment<'_>, units: &Units, row: &[FittedUnit]) {
     let mut hanging = units.of_part(FittedPart::WallUnit).map(|(_, unit)| unit);
     let Some(mut unit) = hanging.next() else { return };
     let Some(elevation) = elevation(environment, unit.agent) else { return };
-    for (wall, _) in row.walls().into_iter().filter(|(_, is_bar)| !is_bar) {
+    for (wall, _) in walls_of(row).into_iter().filter(|(_, is_bar)| !is_bar) {
         for &(from, to) in stretches(environment, units, row, wall, elevation).as_slice() {
             let mut stretch = Leg::open(wall, (from, to));
             while let Some(end) = hang_one(environment, unit, &stretch, elevation) {
@@ -58,15 +58,15 @@ fn elevation(environment: &Environment<'_>, agent: AgentIndex) -> Option<f64> {
 fn stretches(
     environment: &Environment<'_>,
     units: &Units,
-    row: &Row,
+    row: &[FittedUnit],
     wall: usize,
     elevation: f64,
 ) -> Intervals {
-    let here = || row.standings.iter().filter(|standing| standing.spot.wall == wall && !standing.is_bar());
-    let part = |standing: &Standing| units.unit(standing.unit).part;
+    let here = || row.iter().filter(|standing| standing.spot.wall == wall && !standing.is_bar());
+    let part = |standing: &FittedUnit| units.unit(standing.unit).part;
     let low = || here().filter(|standing| part(standing) != FittedPart::Tall);
     let from = low().map(|standing| standing.from()).fold(f64::INFINITY, f64::min);
-    let to = low().map(Standing::to).fold(0.0, f64::max);
+    let to = low().map(FittedUnit::to).fold(0.0, f64::max);
     let surroundings = environment.brief.surroundings;
     // A row may go on past the end of its wall, up to what closes it; nothing hangs there.
     let mut free = Intervals::new(from.max(0.0), to.min(surroundings.room.walls[wall].length()));

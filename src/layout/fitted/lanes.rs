@@ -4,7 +4,8 @@ use crate::catalog::FittedPart;
 
 use super::legs::{JOINT, Leg, USEFUL};
 use super::units::{Unit, Units, Width, widest_within};
-use crate::layout::at_wall::Spot;
+use crate::layout::fitted_row::FittedUnit;
+use crate::layout::spot::Spot;
 
 /// Metres of worktop between sink and hob that are wanted where there is room: NKBA asks for 0.91 m of preparation area.
 const BETWEEN: f64 = 1.2;
@@ -34,38 +35,10 @@ pub(super) enum Slot {
     Rest,
 }
 
-/// A unit in its place.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Standing {
-    /// Which unit, by index.
-    pub(super) unit: usize,
-    /// The variant of its class.
-    pub(super) variant: u32,
-    /// Where its back is.
-    pub(super) spot: Spot,
-    /// Its metres along the wall.
-    pub(super) width: f64,
-}
-
-impl Standing {
-    /// Metres from the wall's start to its nearer side.
-    pub(super) fn from(&self) -> f64 {
-        self.spot.from
-    }
-
-    /// Metres from the wall's start to its farther side.
-    pub(super) fn to(&self) -> f64 {
-        self.spot.from + self.width
-    }
-
+impl FittedUnit {
     /// Whether it stands along a leg.
     pub(super) fn is_along(&self, leg: &Leg) -> bool {
         self.spot.wall == leg.wall && self.is_bar() == leg.is_bar() && self.from() + ROUNDING >= leg.from
-    }
-
-    /// Whether it stands before an open side.
-    pub(super) fn is_bar(&self) -> bool {
-        self.spot.is_before_opening()
     }
 }
 
@@ -136,14 +109,14 @@ impl Lane {
 
     /// The ways in which the units stand along a leg: with a filler at an end that is closed, else from its start, and from its
     /// end.
-    pub(super) fn ways(&self, units: &Units, leg: &Leg) -> Vec<Vec<Standing>> {
+    pub(super) fn ways(&self, units: &Units, leg: &Leg) -> Vec<Vec<FittedUnit>> {
         let [starts_closed, ends_closed] = leg.is_closed();
         let rest = |is_other_closed: bool| if is_other_closed { self.left } else { 0.0 };
         let at_start = self.filled(units, leg, End::Start, rest(ends_closed));
         let at_end = self.filled(units, leg, End::End, rest(starts_closed));
         // The room may refuse a filler that goes on past an end.
         let is_sure = starts_closed && ends_closed && (at_start.is_some() || at_end.is_some());
-        let mut ways: Vec<Vec<Standing>> = [at_start, at_end].into_iter().flatten().collect();
+        let mut ways: Vec<Vec<FittedUnit>> = [at_start, at_end].into_iter().flatten().collect();
         if !is_sure {
             ways.push(self.from(leg, 0.0));
         }
@@ -156,7 +129,7 @@ impl Lane {
     /// The units with their filler at an end of a leg, beside which so many metres of what is left lie; `None` where it closes
     /// nothing. It stands between what is tall at the end and the others, for a wall is no good neighbour of a low panel; but
     /// where something comes into the depth of the row at its end, the filler goes on past that, to the wall.
-    pub(super) fn filled(&self, units: &Units, leg: &Leg, end: End, rest: f64) -> Option<Vec<Standing>> {
+    pub(super) fn filled(&self, units: &Units, leg: &Leg, end: End, rest: f64) -> Option<Vec<FittedUnit>> {
         let (unit, beyond) = (self.panel?, leg.beyond[end as usize]);
         let is_past = beyond >= JOINT;
         let panel = units.unit(unit);
@@ -174,12 +147,12 @@ impl Lane {
     }
 
     /// The units where they stand if the first begins so many metres after the start of the stretch.
-    pub(super) fn from(&self, leg: &Leg, offset: f64) -> Vec<Standing> {
+    pub(super) fn from(&self, leg: &Leg, offset: f64) -> Vec<FittedUnit> {
         let mut from = leg.from + offset;
         let stand = |packed: &Packed| {
             let Width { metres: width, variant } = packed.width;
             let spot = Spot { before: leg.before, ..Spot::standing(leg.wall, from) };
-            let standing = Standing { unit: packed.unit, variant, spot, width };
+            let standing = FittedUnit { unit: packed.unit, variant, spot, width };
             from += width;
             standing
         };

@@ -27,12 +27,12 @@ mod units;
 use super::agent::State;
 use super::arrange::take_size;
 use super::environment::Environment;
+use super::fitted_row::{FittedUnit, FoundRows, FreeRow, walls_of};
 use super::furnished::RemovalReason;
 use super::place::{AgentIndex, Place};
 use super::seed::{Purpose, RoomKey, Stream};
 use crate::catalog::FittedPart;
 use forms::{Form, forms_around_corners, forms_in_two_parts, forms_with_bars, straight_forms};
-use lanes::Standing;
 use points::Judge;
 use rows::{Row, rows_in};
 use taste::add_taste;
@@ -47,88 +47,104 @@ const FREE_ROWS: usize = 8;
 /// Steps that making and comparing one row counts for, each about a tenth of a microsecond.
 const STEPS_A_ROW: u64 = 8;
 
-/// A row for the room.
-struct Plan {
-    /// In the sizes that they have in it.
-    units: Units,
-    row: Row,
-    /// With those for the space before the units.
-    points: f64,
-    /// Whether a unit has less space before it than is good.
-    is_tight: bool,
-}
-
 /// Lets the fitted units of the room rest in a row, if one holds all that are required.
 pub(crate) fn settle_fitted(environment: &mut Environment<'_>, key: &RoomKey) {
-    let units = Units::of(environment, Depth::Usual);
-    if units.is_no_row() || has_suggestion(environment, &units) {
-        return leave_out_fillers(environment, &units);
+    let usual = Units::of(environment, Depth::Usual);
+    if usual.is_no_row() || has_suggestion(environment, &usual) {
+        return leave_out_fillers(environment, &usual);
     }
     let slim = Units::of(environment, Depth::Slim);
-    let stream = |name: &str| key.stream(Purpose::Placement, name, 0);
-    let mut best = plan(environment, units.clone(), &mut stream("fitted"));
-    if best.as_ref().is_none_or(|plan| plan.is_tight) && slim.are_slim(environment) {
-        let slim = plan(environment, slim, &mut stream("fitted slim"));
-        let slim = slim.map(|plan| Plan { points: plan.points - points::SLIM, ..plan });
-        best = better(best, slim);
+    let mut best = row_at_turn(environment, &usual, Depth::Usual, key).map(|row| (&usual, row));
+    if best.as_ref().is_none_or(|(_, row)| row.is_tight) && slim.are_slim(environment) {
+        let other = row_at_turn(environment, &slim, Depth::Slim, key);
+        let other = other.map(|row| FreeRow { points: row.points - points::SLIM, ..row });
+        let points = |row: Option<&FreeRow>| row.map(|row| row.points);
+        // Of equals the usual.
+        if points(other.as_ref()) > points(best.as_ref().map(|(_, row)| row)) {
+            best = other.map(|row| (&slim, row));
+        }
     }
-    let Some(Plan { units, row, .. }) = best else {
-        take_drawn_sizes(environment, &units);
-        return leave_out_fillers(environment, &units);
+    let Some((units, FreeRow { standings, .. })) = best else {
+        take_drawn_sizes(environment, &usual);
+        return leave_out_fillers(environment, &usual);
     };
-    settle_row(environment, &units, &row);
-    hanging::hang(environment, &units, &row);
-    leave_out_others(environment, &units);
+    settle_row(environment, units, &standings);
+    hanging::hang(environment, units, &standings);
+    leave_out_others(environment, units);
 }
 
-/// The row with more points; of equals the first.
-fn better(first: Option<Plan>, second: Option<Plan>) -> Option<Plan> {
-    let points = |plan: &Option<Plan>| plan.as_ref().map(|plan| plan.points);
-    if points(&second) > points(&first) { second } else { first }
-}
-
-/// The best row of some units.
-fn plan(environment: &mut Environment<'_>, units: Units, stream: &mut Stream) -> Option<Plan> {
-    take_drawn_sizes(environment, &units);
-    let rows = rows_by_points(environment, &units, stream);
-    let (points, row) = best_free(environment, &units, &rows)?;
-    let row = row.clone();
-    let is_tight = points < row.points;
-    Some(Plan { units, row, points, is_tight })
-}
-
-/// The best of the first few rows that are free, with the space before their units; a later attempt at the room takes the
-/// best at other walls, for something was wrong with those before.
-fn best_free<'r>(
+/// The row that an attempt takes: the best at other walls than those that earlier attempts took, for something was wrong with them.
+fn row_at_turn(
     environment: &mut Environment<'_>,
     units: &Units,
-    rows: &'r [Row],
-) -> Option<(f64, &'r Row)> {
-    let mut free: Vec<(f64, &Row)> = Vec::with_capacity(FREE_ROWS);
+    depth: Depth,
+    key: &RoomKey,
+) -> Option<FreeRow> {
+    take_drawn_sizes(environment, units);
+    at_turn_of_first_search(environment, units, depth).or_else(|| {
+        let rows = search(environment, units, depth, key).best_first;
+        rows.get(environment.turn).or(rows.last()).cloned()
+    })
+}
+
+/// The row that this attempt takes of those that the first attempt found. None where these are too few, or where it is not known to
+/// find the same room, because somebody says where some fit: then leaves have their true arcs.
+fn at_turn_of_first_search(
+    environment: &mut Environment<'_>,
+    units: &Units,
+    depth: Depth,
+) -> Option<FreeRow> {
+    let brief = environment.brief;
+    if !brief.alternative.suggestions.is_empty() {
+        return None;
+    }
+    let before = environment.steps();
+    let noted;
+    let found = if environment.trace.is_some() {
+        // Found once more, for the notes of what the units meet.
+        noted = search(environment, units, depth, brief.key);
+        &noted
+    } else {
+        let is_slim = depth == Depth::Slim;
+        brief.known_rows.get_or_find(is_slim, || search(environment, units, depth, brief.key))
+    };
+    // As many as if it was searched for: what comes of a room does not depend on what was made of it before.
+    environment.count_steps(before + found.steps - environment.steps());
+    found.best_first.get(environment.turn).cloned()
+}
+
+/// The best row of some units at each walls that have a free one, with the space before its units; the best first.
+fn search(environment: &mut Environment<'_>, units: &Units, depth: Depth, key: &RoomKey) -> FoundRows {
+    let before = environment.steps();
+    let name = if depth == Depth::Slim { "fitted slim" } else { "fitted" };
+    let rows = rows_by_points(environment, units, &mut key.stream(Purpose::Placement, name, 0));
+    let mut free: Vec<FreeRow> = Vec::with_capacity(FREE_ROWS);
     let mut refused: Vec<Vec<(usize, bool)>> = Vec::with_capacity(MOST_ROWS);
     for row in rows {
         if free.len() == FREE_ROWS || refused.len() == MOST_ROWS {
             break;
         }
-        let walls = row.walls();
+        let walls = walls_of(&row.standings);
         if refused.iter().filter(|other| **other == walls).count() < REFUSED_ROWS {
-            match points_if_free(environment, units, row) {
-                Some(points) => free.push((points, row)),
+            match points_if_free(environment, units, &row) {
+                Some(points) => {
+                    let is_tight = points < row.points;
+                    free.push(FreeRow { standings: row.standings, points, is_tight });
+                }
                 None => refused.push(walls),
             }
         }
     }
     // Stable: of equal points the earlier row comes first.
-    free.sort_by(|a, b| b.0.total_cmp(&a.0));
+    free.sort_by(|a, b| b.points.total_cmp(&a.points));
     let mut seen: Vec<Vec<(usize, bool)>> = Vec::new();
-    free.retain(|(_, row)| {
-        let walls = row.walls();
+    free.retain(|row| {
+        let walls = walls_of(&row.standings);
         let is_new = !seen.contains(&walls);
         seen.push(walls);
         is_new
     });
-    let turn = environment.turn.min(free.len().checked_sub(1)?);
-    Some(free[turn])
+    FoundRows { best_first: free, steps: environment.steps() - before }
 }
 
 /// Whether somebody knows a place for one of the units: then they search by themselves.
@@ -191,15 +207,15 @@ fn points_if_free(environment: &mut Environment<'_>, units: &Units, row: &Row) -
 }
 
 /// Lets the units of a row that is free rest where it says.
-fn settle_row(environment: &mut Environment<'_>, units: &Units, row: &Row) {
-    for one in &row.standings {
+fn settle_row(environment: &mut Environment<'_>, units: &Units, row: &[FittedUnit]) {
+    for one in row {
         let place = take_place(environment, units, one);
         environment.settle(units.unit(one.unit).agent, &place);
     }
 }
 
 /// Gives a unit the size that it has in its row, and answers its place there.
-fn take_place(environment: &mut Environment<'_>, units: &Units, standing: &Standing) -> Place {
+fn take_place(environment: &mut Environment<'_>, units: &Units, standing: &FittedUnit) -> Place {
     let agent = units.unit(standing.unit).agent;
     take_size(environment, agent, standing.variant);
     standing.spot.place(environment, agent)

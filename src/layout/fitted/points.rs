@@ -9,12 +9,13 @@ use crate::layout::body::append_solids;
 use crate::layout::brief::Brief;
 use crate::layout::constants::CONTACT_TOLERANCE;
 use crate::layout::environment::Environment;
+use crate::layout::fitted_row::FittedUnit;
 use crate::layout::place::AgentIndex;
 use crate::layout::surroundings::Surroundings;
 use crate::plan::{OpeningKind, PIPES_TAG, Room};
 
 use super::forms::{Form, Joint};
-use super::lanes::{ROUNDING, Standing};
+use super::lanes::ROUNDING;
 use super::legs::{AT_CORNER, JOINT, Leg, USEFUL};
 use super::rows::{Row, metres_between};
 use super::units::{Unit, Units};
@@ -104,7 +105,7 @@ impl<'a> Judge<'a> {
 
     /// The points of a row in a form.
     pub(super) fn merit(&self, units: &Units, form: &Form, row: &Row) -> Merit {
-        let each = |points: fn(&Self, &Units, &Standing) -> f64| -> f64 {
+        let each = |points: fn(&Self, &Units, &FittedUnit) -> f64| -> f64 {
             row.standings.iter().map(|standing| points(self, units, standing)).sum()
         };
         let outer = form.legs.iter().filter(|leg| self.room.walls[leg.wall].is_exterior).count();
@@ -123,13 +124,13 @@ impl<'a> Judge<'a> {
         Merit { needs, likes }
     }
 
-    fn needs_of_unit(&self, units: &Units, standing: &Standing) -> f64 {
+    fn needs_of_unit(&self, units: &Units, standing: &FittedUnit) -> f64 {
         let unit = units.unit(standing.unit);
         let asked = if fills(unit) { 0.0 } else { UNIT };
         asked - if self.takes_window(unit, standing) { BEFORE_WINDOW } else { 0.0 }
     }
 
-    fn likes_of_unit(&self, units: &Units, standing: &Standing) -> f64 {
+    fn likes_of_unit(&self, units: &Units, standing: &FittedUnit) -> f64 {
         let unit = units.unit(standing.unit);
         let filled = if fills(unit) && unit.part != FittedPart::Filler { FILL } else { 0.0 };
         if unit.part != FittedPart::Sink {
@@ -161,20 +162,20 @@ impl<'a> Judge<'a> {
         points
     }
 
-    fn is_before_window(&self, standing: &Standing) -> bool {
+    fn is_before_window(&self, standing: &FittedUnit) -> bool {
         let overlap = |window: &Window| window.to.min(standing.to()) - window.from.max(standing.from());
         self.windows.iter().any(|window| window.wall == standing.spot.wall && overlap(window) > MEETS)
     }
 
     /// Whether a unit takes the light of a window, or is a hob before one.
-    fn takes_window(&self, unit: &Unit, standing: &Standing) -> bool {
+    fn takes_window(&self, unit: &Unit, standing: &FittedUnit) -> bool {
         !self.windows.is_empty()
             && (self.takes_light(unit, standing)
                 || unit.part == FittedPart::Hob && self.is_before_window(standing))
     }
 
     /// Whether a unit takes the light of a window, as the audit sees it: what is as low as a parapet does not, nor does a tap.
-    fn takes_light(&self, unit: &Unit, standing: &Standing) -> bool {
+    fn takes_light(&self, unit: &Unit, standing: &FittedUnit) -> bool {
         let class = self.environment.class(unit.agent);
         let size = class.size(standing.variant);
         let Brief { catalog, surroundings, .. } = self.environment.brief;
@@ -227,7 +228,7 @@ fn between_points(units: &Units, form: &Form, row: &Row) -> f64 {
 
 /// Metres of worktop between two units on both sides of a corner, 0 where no corner is between them. Right at the corner one
 /// would stand before both; else the corner is worktop, too.
-fn around_corner(form: &Form, one: &Standing, other: &Standing) -> f64 {
+fn around_corner(form: &Form, one: &FittedUnit, other: &FittedUnit) -> f64 {
     let corners = form.legs.windows(2).filter(|_| form.joint == Joint::Corner);
     let fronts = corners.filter_map(|legs| {
         let (before, after) = (&legs[0], &legs[1]);
@@ -247,8 +248,8 @@ fn useless_points(form: &Form, row: &Row) -> f64 {
         // With the filler that goes on past an end.
         let reached = Leg { from: leg.from - if before < USEFUL { before } else { 0.0 }, ..*leg };
         let here = || row.standings.iter().filter(|standing| standing.is_along(&reached));
-        let from = here().map(Standing::from).fold(f64::INFINITY, f64::min);
-        let to = here().map(Standing::to).fold(f64::NEG_INFINITY, f64::max);
+        let from = here().map(FittedUnit::from).fold(f64::INFINITY, f64::min);
+        let to = here().map(FittedUnit::to).fold(f64::NEG_INFINITY, f64::max);
         [before + from - leg.from, after + leg.to - to].into_iter().filter(|gap| is_useless(*gap)).count()
     };
     USELESS * form.legs.iter().map(ends).sum::<usize>() as f64
@@ -269,7 +270,7 @@ fn on_bar_points(units: &Units, row: &Row) -> f64 {
 fn warmed_points(units: &Units, row: &Row) -> f64 {
     let of = |part| row.standings.iter().filter(move |standing| units.unit(standing.unit).part == part);
     let is_warm =
-        |tall: &Standing, hob: &Standing| apart(tall, hob).is_some_and(|metres| metres < COOL - ROUNDING);
+        |tall: &FittedUnit, hob: &FittedUnit| apart(tall, hob).is_some_and(|metres| metres < COOL - ROUNDING);
     let warmed = of(FittedPart::Tall).filter(|tall| of(FittedPart::Hob).any(|hob| is_warm(tall, hob)));
     TALL_AT_HOB * warmed.count() as f64
 }
@@ -282,12 +283,12 @@ fn alone_points(units: &Units, row: &Row) -> f64 {
 }
 
 /// Metres between two units at one wall; below zero where they overlap.
-fn apart(a: &Standing, b: &Standing) -> Option<f64> {
+fn apart(a: &FittedUnit, b: &FittedUnit) -> Option<f64> {
     let is_one_line = a.spot.wall == b.spot.wall && a.is_bar() == b.is_bar();
     is_one_line.then(|| (a.from() - b.to()).max(b.from() - a.to()))
 }
 
 /// Whether two units stand side by side at one wall.
-fn touch(a: &Standing, b: &Standing) -> bool {
+fn touch(a: &FittedUnit, b: &FittedUnit) -> bool {
     apart(a, b).is_some_and(|metres| metres.abs() < MEETS)
 }

@@ -3,10 +3,11 @@
 use crate::catalog::FittedPart;
 
 use super::forms::{Form, Joint};
-use super::lanes::{ENOUGH_BETWEEN, End, Lane, Packed, ROUNDING, Slot, Standing, Taken};
+use super::lanes::{ENOUGH_BETWEEN, End, Lane, Packed, ROUNDING, Slot, Taken};
 use super::legs::{Leg, USEFUL};
 use super::units::{Unit, Units, Width};
-use crate::layout::at_wall::Spot;
+use crate::layout::fitted_row::FittedUnit;
+use crate::layout::spot::Spot;
 
 /// Metres of the second part of a row in two parts at most: a fridge with worktops.
 const SECOND_PART: f64 = 1.25;
@@ -24,22 +25,11 @@ const ORDERS: [[Slot; 8]; 2] = [
 #[derive(Clone, Debug)]
 pub(super) struct Row {
     /// Who stands where; units in corners first.
-    pub(super) standings: Vec<Standing>,
+    pub(super) standings: Vec<FittedUnit>,
     /// Whether all units stand in it but those that only fill, with enough worktop between sink and hob.
     pub(super) is_complete: bool,
     /// How good it is, once that was asked.
     pub(super) points: f64,
-}
-
-impl Row {
-    /// The walls at the backs of its units and the open sides that it has bars along, sorted.
-    pub(super) fn walls(&self) -> Vec<(usize, bool)> {
-        let mut walls: Vec<(usize, bool)> =
-            self.standings.iter().map(|standing| (standing.spot.wall, standing.is_bar())).collect();
-        walls.sort_unstable();
-        walls.dedup();
-        walls
-    }
 }
 
 /// All rows in a form that hold the units that are required.
@@ -66,7 +56,7 @@ fn add_straight(units: &Units, leg: &Leg, slots: &[Slot], rows: &mut Vec<Row>) {
 
 /// Rows that turn at each place of their order, once for each corner; legs begin at corners.
 fn add_around_corners(units: &Units, legs: &[Leg], slots: &[Slot], rows: &mut Vec<Row>) {
-    let corners: Vec<Standing> = legs[1..].iter().zip(legs).zip(units.corners()).map(in_corner).collect();
+    let corners: Vec<FittedUnit> = legs[1..].iter().zip(legs).zip(units.corners()).map(in_corner).collect();
     // The room may refuse a filler that goes on past an end.
     let plain: Vec<Leg> = legs.iter().map(Leg::without_gaps).collect();
     let plain = (plain != legs).then_some(plain);
@@ -90,14 +80,14 @@ fn parts_water(slots: &[Slot], turn: usize) -> bool {
 }
 
 /// The unit in the corner before a leg.
-fn in_corner(((after, before), (unit, corner)): ((&Leg, &Leg), (usize, &Unit))) -> Standing {
+fn in_corner(((after, before), (unit, corner)): ((&Leg, &Leg), (usize, &Unit))) -> FittedUnit {
     let Width { metres: width, variant } = corner.narrowest();
     let spot = Spot { before: after.before, ..Spot::standing(after.wall, before.before) };
-    Standing { unit, variant, spot, width }
+    FittedUnit { unit, variant, spot, width }
 }
 
 /// The units of each part of an order along its leg; `None` if they do not fit.
-fn along_legs(units: &Units, legs: &[Leg], parts: &[&[Slot]]) -> Option<Vec<Standing>> {
+fn along_legs(units: &Units, legs: &[Leg], parts: &[&[Slot]]) -> Option<Vec<FittedUnit>> {
     let (mut standings, mut taken) = (Vec::new(), Taken::default());
     let is_tall = |packed: Option<&Packed>| packed.is_none_or(|packed| packed.part == FittedPart::Tall);
     for (place, (leg, slots)) in legs.iter().zip(parts).enumerate() {
@@ -134,7 +124,7 @@ fn add_parts(units: &Units, first: &Leg, second: &Leg, slots: &[Slot], rows: &mu
         }
         let two = two.within(second.length() - metres);
         let turned = two.turned();
-        let seconds: Vec<Vec<Standing>> =
+        let seconds: Vec<Vec<FittedUnit>> =
             [&two, &turned].iter().flat_map(|lane| lane.ways(units, second)).collect();
         for one in one.ways(units, first) {
             rows.extend(seconds.iter().filter_map(|two| row(units, [one.as_slice(), two].concat())));
@@ -143,7 +133,7 @@ fn add_parts(units: &Units, first: &Leg, second: &Leg, slots: &[Slot], rows: &mu
 }
 
 /// A row of these units; `None` if it lacks a required one.
-fn row(units: &Units, standings: Vec<Standing>) -> Option<Row> {
+fn row(units: &Units, standings: Vec<FittedUnit>) -> Option<Row> {
     let stands = |index: usize| standings.iter().any(|standing| standing.unit == index);
     let low = |part: &FittedPart| *part != FittedPart::WallUnit;
     let all = units.indices().filter(|&index| low(&units.unit(index).part));
@@ -158,7 +148,7 @@ fn row(units: &Units, standings: Vec<Standing>) -> Option<Row> {
 }
 
 /// Metres from the sink to the hob at one wall.
-pub(super) fn metres_between(units: &Units, standings: &[Standing]) -> Option<f64> {
+pub(super) fn metres_between(units: &Units, standings: &[FittedUnit]) -> Option<f64> {
     let find = |part| standings.iter().find(|standing| units.unit(standing.unit).part == part);
     let (sink, hob) = (find(FittedPart::Sink)?, find(FittedPart::Hob)?);
     let is_one_leg = sink.spot.wall == hob.spot.wall && sink.is_bar() == hob.is_bar();

@@ -7,6 +7,7 @@
 use std::collections::BTreeMap;
 
 use crate::catalog::FittedPart;
+use crate::layout::fitted_row::walls_of;
 use crate::layout::seed::Stream;
 
 use super::lanes::ROUNDING;
@@ -35,7 +36,7 @@ impl Look {
         let mut places: Vec<(usize, usize, i64)> =
             seen.map(|standing| (standing.unit, standing.spot.wall, place(standing.from()))).collect();
         places.sort_unstable();
-        Self { walls: row.walls(), units: places }
+        Self { walls: walls_of(&row.standings), units: places }
     }
 }
 

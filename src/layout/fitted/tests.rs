@@ -2,7 +2,7 @@
 
 use crate::catalog::{Catalog, FittedPart, Side, builtin_catalog};
 use crate::geometry::{Point, Solid};
-use crate::layout::tests::{level, run};
+use crate::layout::tests::{kinds_of_alternatives, level, run};
 use crate::layout::{FurnishOptions, Furnished, Lock, LockSupport, Parent, Placement, furnish, solids};
 use crate::plan::{Level, Opening, OpeningKind, OpeningSide, RoomOpening};
 
@@ -77,6 +77,17 @@ fn a_kitchen_is_one_row_with_worktop_between_sink_and_hob() {
             }
             let fridge = apart(&units, FittedPart::Tall, FittedPart::Hob).expect(&place);
             assert!(fridge > TOUCHING, "{place}: the fridge stands at the hob");
+        }
+    }
+}
+
+#[test]
+fn an_alternative_is_the_same_whatever_was_made_before_it() {
+    for (width, depth) in [(3.0, 3.0), (2.1, 3.4)] {
+        let level = room("kitchen", width, depth);
+        for seed in 0..3 {
+            let kinds = kinds_of_alternatives(&level, seed);
+            assert!(kinds >= 4, "{width} x {depth} m, seed {seed}: {kinds} kinds");
         }
     }
 }

@@ -3,10 +3,10 @@
 
 use crate::layout::agent::Rest;
 use crate::layout::arrange::{in_its_look, take_size};
-use crate::layout::at_wall::Spot;
 use crate::layout::environment::Environment;
 use crate::layout::place::{AgentIndex, ParentPart, Place};
 use crate::layout::rules;
+use crate::layout::spot::Spot;
 
 /// Widens a resting piece whose class has sizes for niches, where one of its sizes fills the niche that it stands in. A place that
 /// was good stays good: nobody has less room because of it.

@@ -2,7 +2,7 @@
 
 use crate::catalog::{Catalog, Side, builtin_catalog};
 use crate::geometry::{Point, Solid, direction};
-use crate::layout::tests::{level, run};
+use crate::layout::tests::{kinds_of_alternatives, level, run};
 use crate::layout::{
     Alternative, Counted, FurnishOptions, Furnished, Lock, LockSupport, Parent, Placement, RoomLayout,
     clearance_solids, furnish,
@@ -240,29 +240,8 @@ fn of_arrangements_that_are_nearly_as_good_each_has_seeds_that_choose_it() {
 fn an_alternative_is_the_same_whatever_was_made_before_it() {
     let level = bathroom(2.2, 2.4, &[2]);
     for seed in 0..4 {
-        let options = FurnishOptions::new(seed, "test");
-        let room = || RoomLayout::new(level.room(0), builtin_catalog(), &options);
-        let shared = room();
-        let numbers = (0..6).rev().map(Alternative::numbered);
-        let made: Vec<Counted> = numbers
-            .map(|alternative| {
-                let counted = shared.furnish(&alternative);
-                assert_eq!(counted, room().furnish(&alternative), "{seed} {alternative:?}");
-                assert_eq!(counted.furnished, room().explain(&alternative).0, "{seed} {alternative:?}");
-                counted
-            })
-            .collect();
-        let kind = |counted: &Counted| {
-            let placements = counted.furnished.placements.iter();
-            placements.map(|placement| (placement.class, placement.parent)).collect::<Vec<_>>()
-        };
-        let kinds = made.iter().map(kind).fold(Vec::new(), |mut kinds, kind| {
-            if !kinds.contains(&kind) {
-                kinds.push(kind);
-            }
-            kinds
-        });
-        assert!(kinds.len() >= 4, "seed {seed}: {} kinds", kinds.len());
+        let kinds = kinds_of_alternatives(&level, seed);
+        assert!(kinds >= 4, "seed {seed}: {kinds} kinds");
     }
 }
 
