@@ -89,5 +89,5 @@ MEASURES = [
             judge_screen_only),
     Measure("empty_tv_stand", "a television stand has a screen on it or over it", "stands", "0", "project", judge_stands),
     Measure("sofa_past_screen", "the largest sofa looks at a screen", "°", "≤ 30", "SMPTE, THX", judge_sofa,
-            audit="tv_position"),
+            audit="facing"),
 ]

@@ -1,14 +1,23 @@
-//! `facing`: a seat turned away from its table or desk, a desk used from its wrong side, a mirror over nothing.
+//! `facing`: a seat turned away from its table or desk, a sofa that looks past the screen, a desk used from its wrong side, a mirror
+//! over nothing.
 
+use super::screens::eyes;
 use crate::audit::evidence::Evidence;
 use crate::audit::fault::Fault;
-use crate::audit::groups::{MIRROR, SEAT, WORK_SURFACE};
+use crate::audit::groups::{MIRROR, SCREEN, SEAT, WORK_SURFACE};
+use crate::audit::near::NearPoints;
 use crate::audit::quantity::Quantity;
+use crate::audit::rounding::ROUNDING;
 use crate::audit::subject::{Body, Subject};
 use crate::catalog::{ParentName, Side};
 use crate::geometry::Point;
 
-/// Judges seats at tables, desks with seats, and mirrors.
+/// The group of what people watch a screen from: sofas and beds.
+const VIEWING: &str = "viewing";
+/// The group of sofas and armchairs.
+const SOFT_SEAT: &str = "soft_seat";
+
+/// Judges seats at tables, sofas before screens, desks with seats, and mirrors.
 pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
     let Evidence { subject, .. } = *evidence;
     let mut faults = Vec::new();
@@ -30,7 +39,43 @@ pub(crate) fn check(evidence: &Evidence<'_, '_>) -> Vec<Fault> {
             faults.push(Fault::new(Quantity::Angle, vec![subject.object(index)], 180.0, limit.to_degrees()));
         }
     }
+    faults.extend(sofa_past_screen(subject));
     faults
+}
+
+/// The widest sofa of a room, where it looks past the screens and nobody watches one from bed instead.
+fn sofa_past_screen(subject: &Subject<'_>) -> Option<Fault> {
+    let limit = subject.rules().facing.angle;
+    let place = |screen: usize| subject.bodies[screen].placement.position;
+    let screens = subject.bodies.iter().enumerate().filter(|(_, body)| body.is_in(SCREEN));
+    let screens = NearPoints::new(screens.map(|(index, body)| (index, body.placement.position)));
+    let off_screen = |watcher: &Body<'_>| {
+        let near = screens.nearest(watcher.placement.position);
+        let off = near.iter().map(|&screen| (off_view(watcher, place(screen)), screen));
+        // Of equal angles the earlier screen.
+        off.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))
+    };
+    let watchers = || subject.bodies.iter().enumerate().filter(|(_, body)| body.is_in(VIEWING));
+    let (beds, sofas) = (
+        watchers().filter(|(_, body)| !body.is_in(SOFT_SEAT)),
+        watchers().filter(|(_, body)| body.is_in(SOFT_SEAT)),
+    );
+    let width = |body: &Body<'_>| body.placement.size.width;
+    // Of equal widths the earlier sofa.
+    let (sofa, body) = sofas.reduce(|a, b| if width(b.1) > width(a.1) { b } else { a })?;
+    let (off, screen) = off_screen(body)?;
+    let is_watched = |bed: &Body<'_>| off_screen(bed).is_some_and(|(off, _)| off <= limit);
+    if off <= limit + ROUNDING || beds.map(|(_, bed)| bed).any(is_watched) {
+        return None;
+    }
+    let subjects = vec![subject.object(sofa), subject.object(screen)];
+    Some(Fault::new(Quantity::Angle, subjects, off.to_degrees(), limit.to_degrees()))
+}
+
+/// Radians between where somebody looks straight ahead and a point, from the best place to sit or lie.
+fn off_view(watcher: &Body<'_>, point: Point) -> f64 {
+    let off = |eye: Point| watcher.front().angle_to(point - eye).abs();
+    eyes(watcher).into_iter().map(off).fold(f64::INFINITY, f64::min)
 }
 
 /// Radians between where a seat faces and its table: straight at the side it stands at, or at the middle, as
@@ -124,6 +169,44 @@ mod tests {
         assert_eq!(room.audit(), []);
         room.placements[1].angle = PI - 0.7;
         assert_eq!(room.audit(), []);
+    }
+
+    /// A screen on the north wall, and a chest as a sofa of 1 m, so far aside from its axis, that faces north.
+    fn sofa_before_screen(aside: f64) -> TestRoom {
+        let mut room = TestRoom::rectangle(8.0, 4.0);
+        room.group("picture", "screen");
+        ["seat", "soft_seat", "viewing"].into_iter().for_each(|group| room.group("chest", group));
+        let screen = room.add("picture", at(3.0, 3.975), Parent::Wall(2));
+        room.placements[screen].elevation = 1.0;
+        let sofa = room.stand("chest", at(3.0 + aside, 1.975));
+        room.placements[sofa].angle = PI;
+        room
+    }
+
+    #[test]
+    fn a_sofa_looks_at_a_screen_give_or_take_thirty_degrees() {
+        for (aside, count) in [(0.0, 0), (1.4, 0), (1.6, 1)] {
+            assert_eq!(sofa_before_screen(aside).count(Code::Facing), count, "{aside} m aside");
+        }
+        let mut room = sofa_before_screen(0.0);
+        room.placements[1].angle = FRAC_PI_2;
+        let findings: Vec<_> = room.audit().into_iter().filter(|one| one.code == Code::Facing).collect();
+        assert_eq!(findings[0].objects, ["chest.1", "picture.1"]);
+        // A wider one that looks at it is the one that counts.
+        let other = room.stand("chest", at(4.4, 1.975));
+        room.placements[other].angle = PI;
+        room.placements[other].size.width = 1.2;
+        assert_eq!(room.count(Code::Facing), 0);
+    }
+
+    #[test]
+    fn a_sofa_may_look_elsewhere_where_the_screen_is_watched_from_bed() {
+        let mut room = sofa_before_screen(3.0);
+        assert_eq!(room.count(Code::Facing), 1);
+        room.group("table", "viewing");
+        let bed = room.stand("table", at(3.0, 2.0));
+        room.placements[bed].angle = PI;
+        assert_eq!(room.count(Code::Facing), 0);
     }
 
     #[test]

@@ -167,7 +167,7 @@ table! {
     WindowBlocked: "window_blocked", Minor, [Height], "windows", windows::check;
     /// A screen that nobody sees from a seat or bed, or that stands before a window.
     TvPosition: "tv_position", Failed, [ScreenDistance, FreeDepth], "screens", screens::check;
-    /// A seat turned away from its table, a desk used from behind, a mirror over nothing.
+    /// A seat turned away from its table, a sofa that looks past the screen, a desk used from behind, a mirror over nothing.
     Facing: "facing", Minor, [Angle, Count], "facing", facing::check;
     /// A seat that does not see what its row looks at, such as a stage.
     OutOfSight: "out_of_sight", Minor, [Angle, Count], "", sight::check;

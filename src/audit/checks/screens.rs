@@ -75,7 +75,7 @@ fn sees(subject: &Subject<'_>, viewer: usize, screen: usize) -> bool {
 }
 
 /// Where the eyes of those who sit or lie there may be: in the middle and towards both ends.
-fn eyes(body: &Body<'_>) -> [Point; 3] {
+pub(super) fn eyes(body: &Body<'_>) -> [Point; 3] {
     let size = body.placement.size;
     let is_bed = body.is_in(BED) || body.is_in(SLEEPING);
     let back = if is_bed && !body.is_in(SEAT) { (size.depth / 2.0 - EYES_IN_BED).max(0.0) } else { 0.0 };
