@@ -11,8 +11,8 @@ pub mod best {
 }
 pub mod catalog {
     pub use crate::catalog::{
-        Access, ById, Catalog, Class, ClassIndex, DEFAULT_STYLE, Dado, Finish, FittedPart, Material,
-        ModelSource, Palette, PaletteRef, Plausible, RoomType, Share, Side, Size, Style, StyleRef,
+        Access, ById, Catalog, Class, ClassIndex, DEFAULT_STYLE, Dado, Extent, Finish, FittedPart, Material,
+        ModelSource, Palette, PaletteRef, Plausible, RoomType, Shape, Share, Side, Size, Style, StyleRef,
         Untidiness, VariantRef, load_catalog,
     };
 }

@@ -2,6 +2,7 @@
 
 mod agreement;
 mod set_shapes;
+mod tops;
 mod welded;
 
 use proptest::prelude::*;

@@ -13,6 +13,8 @@ use crate::recipes::{Draft, GeometrySet, Recipe, Slot};
 
 /// Metres of a leg.
 const LEG: f64 = 0.05;
+/// Metres of the lip of a tray.
+const LIP: f64 = 0.008;
 
 /// A low table.
 pub(in super::super) static COFFEE_TABLE: Recipe = Recipe::furniture("coffee_table", [1.1, 0.6, 0.42])
@@ -282,8 +284,8 @@ fn budget(draft: &Draft, builder: &mut Builder, form: usize) {
             let soft = (half.x.min(half.z) * 0.4).min(0.12);
             let slice =
                 |y: f64, back: f64| Slice::new(y, half.x - back, half.z - back).softened(soft - back * 0.5);
-            let tray =
-                [slice(top - rim, 0.015), slice(top, 0.0), slice(top, 0.006), slice(top - rim + 0.01, 0.02)];
+            // The lip is low: what stands on the table stands at its top.
+            let tray = [slice(top - rim, 0.015), slice(top, 0.0), slice(top, 0.006), slice(top - LIP, 0.02)];
             builder.add(Slot::PaintedAccent, loft(&Outline::Soft(3), &tray));
             let z = [bay.low.z + 0.04, bay.high.z - 0.04];
             let x = bay.high.x - 0.05;
