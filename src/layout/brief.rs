@@ -7,10 +7,11 @@ use crate::geometry::{Bounds, Point, direction};
 use crate::plan::{OpeningKind, RoomOpening, RoomRef};
 use crate::walk::EmptyFloors;
 
-use super::arrangement::KnownArrangements;
+use super::arrangement::Arrangement;
 use super::choice::{Series, room_style};
-use super::fitted_row::KnownRows;
+use super::fitted_row::FreeRow;
 use super::furnished::Furnished;
+use super::known::Known;
 use super::lock::Lock;
 use super::options::FurnishOptions;
 use super::programme::{self, Piece, Site};
@@ -35,8 +36,8 @@ pub(crate) struct RoomBrief<'a> {
     /// With [`Swings::Exact`].
     exact_surroundings: OnceCell<Surroundings<'a>>,
     empty_floors: EmptyFloors<'a>,
-    known_arrangements: KnownArrangements,
-    known_rows: KnownRows,
+    known_arrangements: [Known<Arrangement>; 2],
+    known_rows: [Known<FreeRow>; 2],
 }
 
 /// The data that is fixed for one alternative of a room: complete when it is made, the same for all attempts.
@@ -60,10 +61,11 @@ pub(crate) struct Brief<'a> {
     pub(crate) surroundings: &'a Surroundings<'a>,
     /// Where people walk in the empty room.
     pub(crate) empty_floors: &'a EmptyFloors<'a>,
-    /// What the room remembers of pieces that look for their places together.
-    pub(crate) known_arrangements: &'a KnownArrangements,
-    /// What it remembers of rows of fitted units.
-    pub(crate) known_rows: &'a KnownRows,
+    /// How pieces that look for their places together stand, without and with the heed of tags
+    /// ([`super::environment::Start::heeds_tags`]), which changes the points.
+    pub(crate) known_arrangements: &'a [Known<Arrangement>; 2],
+    /// Rows of fitted units at different walls, of usual and of slim units.
+    pub(crate) known_rows: &'a [Known<FreeRow>; 2],
     /// The objects that somebody put in their places.
     pub(crate) locks: &'a [Lock],
     /// Which arrangement is wanted, and where somebody says that agents fit.
@@ -103,8 +105,8 @@ impl<'a> RoomBrief<'a> {
             surroundings: OnceCell::new(),
             exact_surroundings: OnceCell::new(),
             empty_floors: EmptyFloors::new(at, &catalog.audit),
-            known_arrangements: KnownArrangements::default(),
-            known_rows: KnownRows::default(),
+            known_arrangements: Default::default(),
+            known_rows: Default::default(),
         })
     }
 

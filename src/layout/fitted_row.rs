@@ -1,6 +1,4 @@
-//! Rows of fitted units that are free in a room, and what the room remembers of them.
-
-use core::cell::OnceCell;
+//! Rows of fitted units that are free in a room.
 
 use super::spot::Spot;
 
@@ -52,25 +50,4 @@ pub(crate) struct FreeRow {
     pub(crate) points: f64,
     /// Whether a unit has less space before it than is good.
     pub(crate) is_tight: bool,
-}
-
-/// What one search found.
-#[derive(Clone, Debug)]
-pub(crate) struct FoundRows {
-    /// The best at its walls each, the best of all first.
-    pub(crate) best_first: Vec<FreeRow>,
-    /// The steps of the search.
-    pub(crate) steps: u64,
-}
-
-/// The rows of the first attempt at a room, found once: each further attempt takes another of them. Those of usual and those of slim
-/// units.
-#[derive(Debug, Default)]
-pub(crate) struct KnownRows([OnceCell<FoundRows>; 2]);
-
-impl KnownRows {
-    /// Those of before, or what `search` finds.
-    pub(crate) fn get_or_find(&self, are_slim: bool, search: impl FnOnce() -> FoundRows) -> &FoundRows {
-        self.0[usize::from(are_slim)].get_or_init(search)
-    }
 }

@@ -27,8 +27,10 @@ mod units;
 use super::agent::State;
 use super::arrange::take_size;
 use super::environment::Environment;
-use super::fitted_row::{FittedUnit, FoundRows, FreeRow, walls_of};
+use super::first_search::of_first_search;
+use super::fitted_row::{FittedUnit, FreeRow, walls_of};
 use super::furnished::RemovalReason;
+use super::known::Found;
 use super::place::{AgentIndex, Place};
 use super::seed::{Purpose, RoomKey, Stream};
 use crate::catalog::FittedPart;
@@ -98,23 +100,17 @@ fn at_turn_of_first_search(
     if !brief.alternative.suggestions.is_empty() {
         return None;
     }
-    let before = environment.steps();
-    let noted;
-    let found = if environment.trace.is_some() {
-        // Found once more, for the notes of what the units meet.
-        noted = search(environment, units, depth, brief.key);
-        &noted
-    } else {
-        let is_slim = depth == Depth::Slim;
-        brief.known_rows.get_or_find(is_slim, || search(environment, units, depth, brief.key))
-    };
-    // As many as if it was searched for: what comes of a room does not depend on what was made of it before.
-    environment.count_steps(before + found.steps - environment.steps());
-    found.best_first.get(environment.turn).cloned()
+    let known = &brief.known_rows[usize::from(depth == Depth::Slim)];
+    of_first_search(
+        environment,
+        known,
+        |environment| search(environment, units, depth, brief.key),
+        |environment, rows| rows.get(environment.turn).cloned(),
+    )
 }
 
 /// The best row of some units at each walls that have a free one, with the space before its units; the best first.
-fn search(environment: &mut Environment<'_>, units: &Units, depth: Depth, key: &RoomKey) -> FoundRows {
+fn search(environment: &mut Environment<'_>, units: &Units, depth: Depth, key: &RoomKey) -> Found<FreeRow> {
     let before = environment.steps();
     let name = if depth == Depth::Slim { "fitted slim" } else { "fitted" };
     let rows = rows_by_points(environment, units, &mut key.stream(Purpose::Placement, name, 0));
@@ -144,7 +140,7 @@ fn search(environment: &mut Environment<'_>, units: &Units, depth: Depth, key: &
         seen.push(walls);
         is_new
     });
-    FoundRows { best_first: free, steps: environment.steps() - before }
+    Found { best_first: free, steps: environment.steps() - before }
 }
 
 /// Whether somebody knows a place for one of the units: then they search by themselves.

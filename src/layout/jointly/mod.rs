@@ -14,8 +14,10 @@ mod tests;
 
 use super::agent::State;
 use super::arrange::{area, in_its_look, sizes_by, take_size};
-use super::arrangement::{Arrangement, FoundArrangements, Standing};
+use super::arrangement::{Arrangement, Standing};
 use super::environment::Environment;
+use super::first_search::of_first_search;
+use super::known::Found;
 use super::locked::is_locked;
 use super::place::{AgentIndex, ParentPart};
 use super::rules::{self, Line, Score, free_stretches, steps_along};
@@ -107,23 +109,17 @@ fn at_turn_of_first_search(environment: &mut Environment<'_>, agents: &[AgentInd
     if !brief.alternative.suggestions.is_empty() || !resting.all(|agent| is_locked(environment, agent)) {
         return None;
     }
-    let before = environment.steps();
-    let noted;
-    let found = if environment.trace.is_some() {
-        // Found once more, for the notes of what the agents meet.
-        noted = search(environment, agents, brief.key);
-        &noted
-    } else {
-        let heeds_tags = environment.heeds_tags;
-        brief.known_arrangements.get_or_find(heeds_tags, || search(environment, agents, brief.key))
-    };
-    // As many as if it was searched for: what comes of a room does not depend on what was made of it before.
-    environment.count_steps(before + found.steps - environment.steps());
-    kinds(environment, &found.best_first).get(environment.turn).map(|&kind| kind.clone())
+    let known = &brief.known_arrangements[usize::from(environment.heeds_tags)];
+    of_first_search(
+        environment,
+        known,
+        |environment| search(environment, agents, brief.key),
+        |environment, found| kinds(environment, found).get(environment.turn).map(|&kind| kind.clone()),
+    )
 }
 
 /// Finds arrangements of some agents (a beam search).
-fn search(environment: &mut Environment<'_>, agents: &[AgentIndex], key: &RoomKey) -> FoundArrangements {
+fn search(environment: &mut Environment<'_>, agents: &[AgentIndex], key: &RoomKey) -> Found<Arrangement> {
     let before = environment.steps();
     let mut stream = key.stream(Purpose::Placement, "jointly", 0);
     let mut arrangements = vec![Arrangement::default()];
@@ -135,7 +131,7 @@ fn search(environment: &mut Environment<'_>, agents: &[AgentIndex], key: &RoomKe
         arrangements = unlike(environment, arrangements);
     }
     let best_first = by_taste(environment, arrangements, &mut stream);
-    FoundArrangements { best_first, steps: environment.steps() - before }
+    Found { best_first, steps: environment.steps() - before }
 }
 
 /// The pieces that are placed together, in the order of their priority, large before small.
