@@ -39,6 +39,8 @@ DESKS = {"desk", "team_desk", "small_desk", "executive_desk", "teacher_desk", "l
 OFFICE_CHAIRS = {"office_chair"}
 
 TOILETS = {"toilet"}
+# With a toilet between walls of their own.
+CUBICLES = {"toilet_cubicle"}
 BASINS = {"washbasin", "hand_basin", "vanity", "row_basin"}
 TUBS = {"bathtub", "sit_bath", "shower", "small_shower"}
 # What is put where a gap is left.

@@ -8,8 +8,8 @@ import shapely
 from ..floors import Room
 from ..measure import Answer, Fault, Measure, answer
 from ..pieces import Piece
-from ..roles import (BASINS, BEDROOMS, BEDS, COOKERS, DESKS, DOUBLE_BEDS, DRESSING, FRIDGES, HALLS, HOME_ROOMS, KITCHENS, LIVING_ROOMS,
-                     MIRRORS, OFFICE_CHAIRS, SINKS, SOFAS, STORAGE, TOILETS, TUBS, TV_STANDS)
+from ..roles import (BASINS, BEDROOMS, BEDS, COOKERS, CUBICLES, DESKS, DOUBLE_BEDS, DRESSING, FRIDGES, HALLS, HOME_ROOMS,
+                     KITCHENS, LIVING_ROOMS, MIRRORS, OFFICE_CHAIRS, SINKS, SOFAS, STORAGE, TOILETS, TUBS, TV_STANDS)
 from ..shapes import angle_between, pieces_of_area, width_of
 
 FACING = 30.0
@@ -167,7 +167,7 @@ def judge_crooked(room: Room) -> Answer | None:
 
 
 UNITS = {"sink": SINKS, "cooker": COOKERS, "fridge": FRIDGES}
-REQUIRED = dict.fromkeys(BEDROOMS, {"bed": BEDS}) | {"bathroom": {"toilet": TOILETS}, "toilet": {"toilet": TOILETS},
+REQUIRED = dict.fromkeys(BEDROOMS, {"bed": BEDS}) | {"bathroom": {"toilet": TOILETS}, "toilet": {"toilet": TOILETS | CUBICLES},
             "kitchen": UNITS, "kitchen_dining": UNITS, "living_kitchen": UNITS | {"sofa": SOFAS},
             "studio_kitchen": UNITS | {"bed": BEDS},
             "living_room": {"sofa": SOFAS}, "living_dining": {"sofa": SOFAS}}
